@@ -34,6 +34,8 @@ KINDS: dict[str, tuple[sm.Expr, int, dict]] = {
     "turns": (v, 0, {}),
     "lifts": (h, 0, {"reset": {h: h + LIFT * unit, v: -unit}}),
     "bounces": (h, -1, {"reset": {v: -sm.Rational(4, 5) * v}}),
+    "rebounds": (h, 0, {"reset": {v: -sm.Rational(4, 5) * v}}),
+    "slows": (me.dynamicsymbols._t * unit, 1, {"reset": {v: v / 2}}),
     "kicks": (h, -1, {"reset": {v: unit / 2}}),
     "halts": (v, 1, {"terminal": True}),
     "pushes": (me.dynamicsymbols._t * unit, 1, {"reset": {v: 3 * unit}}),
@@ -135,6 +137,26 @@ def bounced() -> Case:
                 fall(0.0, speed, end - last))  # fmt: skip
 
 
+def bounced_and_slowed(kind: str, height: float) -> Case:
+    """Halve the speed of a ball at the instant at which it bounces, before or after."""
+    time, speed = falls_for(height), 0.4 * sqrt(2 * GRAVITY * height)
+    again = time + 2 * speed / GRAVITY
+    end = again + 0.1
+    return Case(
+        f"{kind} from {height} m and is slowed at once", height, 0.0, -GRAVITY, 0.0, end,
+        {kind: 0.0, "slows": time}, [(kind, time), ("slows", time), (kind, again)],
+        fall(0.0, 0.8 * speed, 0.1),
+    )  # fmt: skip
+
+
+def bounced_at_a_whole_second() -> Case:
+    """Bounce a ball after 1 s exactly, where steps of fixed size and outputs end."""
+    return Case(
+        "bounces at the end of a step", 5.0, 0.0, -10.0, 0.0, 2.5, {"bounces": 0.0},
+        [("bounces", 1.0)], (8.0 * 1.5 - 5.0 * 1.5**2, 8.0 - 10.0 * 1.5),
+    )  # fmt: skip
+
+
 CASES = [
     passed_apex("passes a level twice", 0.8, 1e-9),
     passed_apex("passes a level just below its apex", 0.9999, 1e-8),
@@ -159,6 +181,12 @@ CASES = [
     *(ends_before_it_is_pushed(share) for share in (-0.9, 0.0, 0.9)),
     lifted(),
     bounced(),
+    *(
+        bounced_and_slowed(kind, height)
+        for kind in ("bounces", "rebounds")
+        for height in (0.5, 0.785, 1.2312)
+    ),
+    bounced_at_a_whole_second(),
 ]  # fmt: skip
 
 

@@ -33,6 +33,15 @@ def test_every_solver_follows_the_table(case, solver):
     judge(case, system.simulate(events=events(), **TIGHT))
 
 
+@pytest.mark.parametrize("outputs", [2, 26, 41])
+@pytest.mark.parametrize("step", [0.005, 0.01, 0.02, 0.03])
+def test_an_event_where_a_step_of_fixed_size_ends_happens_once(step, outputs):
+    case = next(case for case in CASES if case.name == "bounces at the end of a step")
+    system = started(case)
+    system.ode_solver, system.times = "rk4", np.linspace(0.0, case.end, outputs)
+    judge(case, system.simulate(events=events(), step=step))
+
+
 @by_case
 def test_the_order_of_events_changes_nothing(case):
     judge(case, started(case).simulate(events=events(tuple(reversed(KINDS))), **TIGHT))

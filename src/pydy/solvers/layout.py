@@ -48,7 +48,7 @@ OF_STATE, DIRECTIONS, COUNT = range(3)
 # Watch.words
 # REACHER: the kernel of bounds on the events in a step, or 0; then the index in Watch.reach of the
 # bound on the first state, and the number of such bounds. ACT: the address of the function that
-# acts on events, or 0, with the kernels of their rates and resets.
+# acts on events, or 0; then the kernels of their rates and resets.
 WATCHER, EVENTS, SCAN, REACHER, MOVES, MOVING, ACT, RATER, RESETTER = range(9)
 # Watch.kinds
 # The sum of these; RESETS or STOPS if the event does only this.
@@ -194,7 +194,7 @@ class Watch(NamedTuple):
     reach: Numbers
     reach_c: Numbers
     sides: Words  # the latest sign, 0 before the first one
-    fired: Words
+    fired: Words  # 1: happens; −1: moves to its side, where it has not been since it happened
     values: Numbers  # (PROBES, events), then the time for which the end of the step is known
     rests: Numbers  # (events, 2): the interval in which each was zero; NaN at first
     trial: Numbers  # a state
@@ -202,8 +202,8 @@ class Watch(NamedTuple):
     log_events: Words
     log_states: NumberRows  # (·, states)
     log_after: NumberRows
-    # Of events that act without Python: constants of the kernels, their outputs, and the times of
-    # the events.
+    # Constants and outputs of the kernels of rates and resets, and the times of events that act
+    # without Python.
     rates_c: Numbers
     resets_c: Numbers
     told: Numbers

@@ -214,8 +214,8 @@ static int derivative(Model *m, const unsigned *unknowns, size_t rows, const uns
 
 /* -- events ----------------------------------------------------------------------------------- */
 
-/* Set the sign that each event has just after now; where one is zero or fired, its rate tells, unless
-   a reset has led off its surface. */
+/* Set the sign that each event has just after now; where one is zero, fired or departs, its rate tells,
+   unless a reset has led off its surface. */
 static void take_sides(Model *m)
 {
 #if NE > 0
@@ -330,7 +330,7 @@ static int64_t act(Model *m)
     memcpy(origins, m->sides, sizeof origins);
     memcpy(fired, m->fired, sizeof fired);
     for (int k = 0; k < NE; k++) {
-        if (!fired[k])
+        if (fired[k] <= 0)
             continue;
         if (EVENT_ACTING[k])
             reset_states(m, k);
@@ -344,7 +344,7 @@ static int64_t act(Model *m)
     }
     int64_t rests[NE];
     for (int k = 0; k < NE; k++)
-        rests[k] = fired[k] && EVENT_REDIRECTS[k] && !m->off[k];
+        rests[k] = fired[k] > 0 && EVENT_REDIRECTS[k] && !m->off[k];
     take_sides(m);
     if (terminal >= 0)
         return ends_with(m, TERMINATED, terminal);
@@ -405,17 +405,18 @@ static void note_seen(Model *m, int64_t how)
             m->seen[k] = how;
 }
 
-/* Tell, from m->z and m->dz, whether an event is across its surface but on its way back to the side that
-   it has left to. A reset that turns motions back would turn that one away. */
-static int returns(const Model *m, int k)
+/* Tell, from m->z and m->dz, whether an event moves to the side that it has left to, where it is not: it
+   has not been there since it was handled, or a reset that turns motions back would turn that one away. */
+static int departed(const Model *m, int k)
 {
-    return crossed(m->sides[k], m->z[k], EVENT_DIRECTIONS[k]) && m->dz[k] * (double)m->sides[k] > 0.0
-        && (m->seen[k] == UNSEEN || EVENT_REDIRECTS[k]);
+    const double side = (double)m->sides[k];
+    return m->z[k] * side < 0.0 && m->dz[k] * side > 0.0
+        && (m->seen[k] == UNSEEN || (EVENT_REDIRECTS[k] && crossed(m->sides[k], m->z[k], EVENT_DIRECTIONS[k])));
 }
 
 static int is_across(const Model *m, int k)
 {
-    return crossed(m->sides[k], m->z[k], EVENT_DIRECTIONS[k]) && !returns(m, k);
+    return crossed(m->sides[k], m->z[k], EVENT_DIRECTIONS[k]) && !departed(m, k);
 }
 
 static void evaluate_events(Model *m)
@@ -459,11 +460,11 @@ static int64_t handle_events(Model *m, int *moved)
         const double side = (double)m->sides[k];
         /* importers may stop exactly at the crossing */
         const int there = m->z[k] == 0.0 && m->dz[k] * side < 0.0 && EVENT_DIRECTIONS[k] != m->sides[k];
-        m->fired[k] = is_across(m, k) || there;
+        m->fired[k] = departed(m, k) ? DEPARTS : is_across(m, k) || there;
         was[k] = m->z[k];
-        sides[k] = returns(m, k) ? m->sides[k] : 0;
-        some = some || m->fired[k];
-        *moved = *moved || (m->fired[k] && EVENT_ACTING[k]);
+        sides[k] = m->fired[k] == DEPARTS ? m->sides[k] : 0;
+        some = some || m->fired[k] > 0;
+        *moved = *moved || (m->fired[k] > 0 && EVENT_ACTING[k]);
     }
     if (starting)
         outcome = start_events(m, moved);

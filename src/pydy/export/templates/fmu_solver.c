@@ -18,6 +18,15 @@ static int32_t call_events(const double *t, const double *x, const double *u, co
 #endif
 }
 
+static int32_t call_event_rates(const double *t, const double *x, const double *u, const double *c, double *out)
+{
+#if NE > 0
+    return MODEL(event_rates)(*t, x, u, c, out);
+#else
+    return (void)t, (void)x, (void)u, (void)c, (void)out, 0;
+#endif
+}
+
 #define ADDRESS(function) (int64_t)(intptr_t)(function)
 #define AT(array) {(void *)(array), sizeof(array) / 8, 1}
 #define VECTORS(array, number) {(double *)(array), (number) * NX, 1}
@@ -26,8 +35,9 @@ static int32_t call_events(const double *t, const double *x, const double *u, co
 static int64_t integrate(Model *m, double goal)
 {
     static Kernel *const rates_at = call_rates, *const events_at = call_events;
+    static Kernel *const event_rates_at = call_event_rates;
     int64_t problem[] = {ADDRESS(&rates_at), NX, NX, NX, NX, 0, 0}, held[ACTIVE + 1] = {0};
-    int64_t watched[RESETTER + 1] = {ADDRESS(&events_at), NE, ADDRESS(scan_events)};
+    int64_t watched[RESETTER + 1] = {ADDRESS(&events_at), NE, ADDRESS(scan_events), [RATER] = ADDRESS(&event_rates_at)};
     int64_t kinds[NE + 1] = {0}, kept[ROOM + 1] = {0};
     double clock[1], step[1], theta[1], zero[NX + 1] = {0}, row[NX + 1], tolerance[NX + 1];
     const Run run = {
@@ -44,7 +54,8 @@ static int64_t integrate(Model *m, double goal)
         .watch = {.words = AT(watched), .c = AT(m->prepared), .directions = AT(EVENT_DIRECTIONS),
             .acting = AT(EVENT_ACTING), .kinds = AT(kinds), .sides = AT(m->sides),
             .fired = AT(m->fired),
-            .values = AT(m->probes), .trial = AT(m->probe)},
+            .values = AT(m->probes), .trial = AT(m->probe),
+            .rates_c = AT(m->prepared), .told = AT(m->dz)},
         .steps = {.words = AT(kept)},
     };
     if (NX == 0)

@@ -1,8 +1,10 @@
 // An adaptive explicit Runge–Kutta method with dense output, events and projection: the loop of
 // pydy's native solvers, with the same first step, error norm, controller and interpolant.
 
-// An event that was located, though it has the sign again that it began with.
-const BACK = 2;
+// What is noted of events, besides 0 and 1: located, though it has the sign again that it began with; and
+// on its way to its side of zero, where it has not been since it was handled.
+const BACK = 2, DEPARTS = -1;
+const NOWHERE = 2; // a θ beyond the step
 
 /** y = x + h · (row · stages). */
 function combine(y, x, h, row, stages) {
@@ -74,7 +76,7 @@ class Integration {
     if (system.events) {
       this.sides = new Int8Array(system.events.count);
       [this.values, this.probe, this.divided, ...this.ends] = Array.from({ length: PARTS + 4 }, () => new Float64Array(system.events.count));
-      this.fired = new Uint8Array(system.events.count);
+      this.fired = new Int8Array(system.events.count);
       this.startEvents();
     }
   }
@@ -342,23 +344,47 @@ class Integration {
     this.system.events.values(t + theta * h, this.trial, out);
   }
 
-  locate(t, h, low, high, k) {
+  resolution(t, h) {
+    return ROUNDING * Math.max(Math.abs(t), Math.abs(t + h)) / h;
+  }
+
+  /** Return an interval from a place where an event is on its side, as `comes_to_side` of scan_events.c, or null. */
+  comesToSide(t, h, low, high, k) {
     const side = this.sides[k], out = this.probe;
-    const resolution = ROUNDING * Math.max(Math.abs(t), Math.abs(t + h)) / h;
     this.probed(t, h, low, out);
-    if (out[k] * side <= 0) {
-      const start = low;
-      for (let middle = high; ;) {
-        middle = start + 0.5 * (middle - start);
-        if (middle - start < resolution) return start;
-        this.probed(t, h, middle, out);
-        if (out[k] * side > 0) {
-          low = middle;
-          break;
-        }
-        high = middle;
-      }
+    if (!(out[k] * side <= 0)) return [low, high];
+    for (let middle = high; ; high = middle) {
+      middle = low + 0.5 * (middle - low);
+      if (middle - low < this.resolution(t, h)) return null;
+      this.probed(t, h, middle, out);
+      if (out[k] * side > 0) return [middle, high];
     }
+  }
+
+  /** Return where an event happens that has not come to its side, as `turning_place` of scan_events.c. */
+  turningPlace(t, h, low, high, k) {
+    const rates = new Float64Array(this.fired.length);
+    let turned = NOWHERE;
+    for (let place = high; ; place = low + 0.5 * (place - low)) {
+      this.interpolate(place, this.trial);
+      this.system.events.rates(t + place * h, this.trial, rates);
+      const off = rates[k] * this.sides[k] > 0;
+      if (!off) turned = place;
+      if (0.5 * (place - low) < this.resolution(t, h)) return off ? turned : low;
+    }
+  }
+
+  /** Whether an event with a value at `high` has not come to its side since `low`, but moves there. */
+  departs(t, h, low, high, value, k) {
+    return value * this.sides[k] < 0 && this.comesToSide(t, h, low, high, k) === null
+      && this.turningPlace(t, h, low, high, k) === NOWHERE;
+  }
+
+  locate(t, h, low, high, k) {
+    const side = this.sides[k], out = this.probe, resolution = this.resolution(t, h);
+    const places = this.comesToSide(t, h, low, high, k);
+    if (places === null) return this.turningPlace(t, h, low, high, k);
+    [low, high] = places;
     while (high - low > resolution) {
       const middle = low + 0.5 * (high - low);
       if (middle === low || middle === high) break;
@@ -419,24 +445,29 @@ class Integration {
       const right = Math.min(SCAN_POINTS[part], this.findDip(t, h, left, part));
       this.probed(t, h, right, values);
       for (;;) {
-        let first = 2;
+        let first = NOWHERE, earliest = -1;
         for (let k = 0; k < values.length; k++) {
           fired[k] = 0;
           if (this.crossed(k, values[k])) {
             const theta = this.locate(t, h, left, right, k);
-            fired[k] = theta <= left ? 1 : 0;
-            first = Math.min(first, theta);
+            fired[k] = theta === NOWHERE ? DEPARTS : theta <= left ? 1 : 0;
+            if (theta < first) [first, earliest] = [theta, k];
           }
         }
         if (first > 1) break;
         this.probed(t, h, first, probe);
-        for (let k = 0; k < values.length; k++) // by then another may have crossed and be back
-          if (this.crossed(k, probe[k]) && !this.crossed(k, values[k])) {
+        for (let k = 0; k < values.length; k++) { // by then another may have crossed and be back, or not have come to its side
+          if (k === earliest || fired[k] || !(probe[k] * sides[k] < 0)) continue;
+          const crosses = this.crossed(k, probe[k]);
+          if (this.departs(t, h, left, first, probe[k], k)) fired[k] = DEPARTS;
+          else if (crosses && !this.crossed(k, values[k])) {
             const theta = this.locate(t, h, left, first, k);
             if (theta > left) [first, fired[k]] = [theta, BACK];
-            this.probed(t, h, first, probe);
           }
+          this.probed(t, h, first, probe);
+        }
         for (let k = 0; k < values.length; k++) {
+          if (fired[k] === DEPARTS) continue;
           const here = this.crossed(k, probe[k])
             || (this.crossed(k, values[k]) && (probe[k] === 0 || fired[k] === 1))
             || (fired[k] === BACK && probe[k] === 0);
@@ -444,7 +475,7 @@ class Integration {
           if (here && events.acting[k]) this.acting = true;
         }
         if (this.acting) return first;
-        for (let k = 0; k < values.length; k++) if (fired[k]) {
+        for (let k = 0; k < values.length; k++) if (fired[k] > 0) {
           this.records.push({ time: t + first * h, index: k });
           sides[k] = -sides[k];
         }
@@ -452,7 +483,7 @@ class Integration {
       }
       for (let k = 0; k < values.length; k++) {
         if (sides[k] && Number.isNaN(values[k])) return this.fail(`the event ${events.names[k]} is NaN`);
-        if (values[k]) sides[k] = Math.sign(values[k]);
+        if (values[k] && !this.departs(t, h, left, right, values[k], k)) sides[k] = Math.sign(values[k]);
       }
       left = right;
     }
@@ -464,7 +495,7 @@ class Integration {
     const { events } = this.system, { fired, x, t, records } = this;
     let ends = false, crowded = false;
     const was = new Float64Array(fired.length), off = new Set();
-    for (let k = 0; k < fired.length; k++) if (fired[k]) {
+    for (let k = 0; k < fired.length; k++) if (fired[k] > 0) {
       records.push({ time: t, index: k });
       if (events.acting[k]) {
         events.values(t, x, was);
@@ -484,7 +515,7 @@ class Integration {
       this.takeSides();
       for (let k = 0; k < fired.length; k++)
         if (origins[k] && !acted[k] && Number.isNaN(this.values[k])) return this.fail(`the event ${events.names[k]} is NaN`);
-      for (let k = 0; k < fired.length; k++) if (fired[k] && events.redirects[k] && this.isStationary(k)) {
+      for (let k = 0; k < fired.length; k++) if (fired[k] > 0 && events.redirects[k] && this.isStationary(k)) {
         // At rest on the surface it happens again at once where its direction points to.
         const side = this.sides[k] = this.departure(k), direction = events.directions[k];
         if (side && (direction === side || (direction === 0 && origins[k] === 0))) this.status = "stopped";

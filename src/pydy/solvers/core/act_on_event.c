@@ -23,7 +23,7 @@ int64_t act_on_event(const Run *run)
     const double *rates = w->told.at, *bounds = rates + number;
     int64_t event = -1;
     for (int64_t k = 0; k < number; k++)
-        if (w->fired.at[k] != 0) {
+        if (w->fired.at[k] > 0) {
             if (event >= 0)
                 return LEFT;
             event = k;
@@ -57,7 +57,8 @@ int64_t act_on_event(const Run *run)
     if (!left && w->directions.at[event] != 0 && w->kinds.at[event] & REDIRECTS && !(rates[event] * (double)w->sides.at[event] > 0.0))
         return LEFT;
     for (int64_t k = 0; k < number; k++) {
-        const int by_rate = values[k] == 0.0 || (k == event && !left);
+        const int stays = values[k] == was[k] || is_on_surface(values[k], bounds[k]);
+        const int by_rate = values[k] == 0.0 || (k == event && !left) || (w->fired.at[k] < 0 && stays);
         const double told = by_rate ? rates[k] : values[k];
         w->sides.at[k] = is_finite(told) ? sign_of(told) : 0;
     }

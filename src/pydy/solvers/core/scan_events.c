@@ -2,7 +2,11 @@
 
 #include "run.h"
 
-enum { BACK = 2 }; /* located, though it has the sign again that it began with */
+/* What is noted of events in watch.fired, besides 0 and 1: located, though it has the sign again that it
+   began with; and on its way to its side of zero, where it has not been since it was handled. */
+enum { BACK = 2, DEPARTS = -1 };
+
+#define NOWHERE 2.0 /* a theta beyond the step */
 
 enum { TRIES = 20 }; /* parabolas for a least value: a few lead to it where it is smooth */
 
@@ -25,32 +29,70 @@ INLINE int crossed(int64_t side, double value, int64_t direction)
 /* Tell whether an event that had a sign has none any more. */
 INLINE int lost(int64_t side, double value) { return side != 0 && value != value; }
 
-/* Return the theta just past the crossing of one event between `low` and `high`, or where it is NaN
-   first, by bisection.
+/* Tell whether an event moves away from zero, to its side, by its rate at t + theta h. */
+INLINE int moves_off(const Run *run, const Stepper *s, double t, double h, double theta, int64_t event)
+{
+    const Watch *w = &run->watch;
+    const Problem *p = &run->problem;
+    interpolate(s, theta, w->trial.at);
+    set_inputs(p, t + theta * h);
+    return call_kernel(w->words.at[RATER], p->clock.at, w->trial.at, p->r.at, w->rates_c.at, w->told.at) == 0
+        && w->told.at[event] * (double)w->sides.at[event] > 0.0;
+}
 
-   Beside `low` the event may still be zero or on the wrong side, where it has just been handled:
-   then a point on the right side is looked for between them, and `low` is returned without one. */
+/* Look for a place where an event is on its side, from `low` on, and move `low` there, and `high` to
+   the nearest place behind it where it is not, as at `high`. Tell whether there is one.
+
+   Beside `low` the event may still be zero or on the wrong side, where it has just been handled. */
+APART int comes_to_side(const Run *run, const Stepper *s, double t, double h, double *low, double *high,
+    double resolution, int64_t event)
+{
+    const double side = (double)run->watch.sides.at[event], start = *low;
+    const double *value = run->watch.values.at + LOCATED * run->watch.words.at[EVENTS] + event;
+    probe(run, s, t, h, start, LOCATED);
+    if (!(*value * side <= 0.0))
+        return 1;
+    for (double middle = *high;;) {
+        middle = start + 0.5 * (middle - start);
+        if (middle - start < resolution)
+            return 0;
+        probe(run, s, t, h, middle, LOCATED);
+        if (*value * side > 0.0) {
+            *low = middle;
+            return 1;
+        }
+        *high = middle;
+    }
+}
+
+/* Return where an event happens that is not on its side anywhere from `low` to `high`: at `low`, where
+   it moves towards zero or stays there; else where it turns; NOWHERE if it moves to its side all along,
+   from where rounding has left it. A crossing has a rate towards the other side, or none. */
+APART double turning_place(const Run *run, const Stepper *s, double t, double h, double low, double high,
+    double resolution, int64_t event)
+{
+    double turned = NOWHERE;
+    for (double place = high;; place = low + 0.5 * (place - low)) {
+        const int off = moves_off(run, s, t, h, place, event);
+        if (!off)
+            turned = place;
+        if (0.5 * (place - low) < resolution)
+            return off ? turned : low;
+    }
+}
+
+INLINE double resolution_of(double t, double h) { return ROUNDING * maximum(absolute(t + h), absolute(t)) / h; }
+
+/* Return the theta just past the crossing of one event between `low` and `high`, or where it is NaN
+   first, by bisection; or that of `turning_place`. */
 APART double locate(const Run *run, const Stepper *s, double t, double h, double low, double high,
     int64_t event)
 {
-    const double side = (double)run->watch.sides.at[event];
+    const double side = (double)run->watch.sides.at[event], resolution = resolution_of(t, h);
     const double *value = run->watch.values.at + LOCATED * run->watch.words.at[EVENTS] + event;
-    const double resolution = ROUNDING * maximum(absolute(t + h), absolute(t)) / h;
-    probe(run, s, t, h, low, LOCATED);
-    if (*value * side <= 0.0) {
-        const double start = low;
-        for (double middle = high;;) {
-            middle = start + 0.5 * (middle - start);
-            if (middle - start < resolution)
-                return start;
-            probe(run, s, t, h, middle, LOCATED);
-            if (*value * side > 0.0) {
-                low = middle;
-                break;
-            }
-            high = middle;
-        }
-    }
+    const double last = high;
+    if (!comes_to_side(run, s, t, h, &low, &high, resolution, event))
+        return turning_place(run, s, t, h, low, last, resolution, event);
     while (high - low > resolution) {
         const double middle = low + 0.5 * (high - low);
         if (middle == low || middle == high)
@@ -62,6 +104,16 @@ APART double locate(const Run *run, const Stepper *s, double t, double h, double
             high = middle;
     }
     return high;
+}
+
+/* Tell whether an event with a value at `high` has not come to its side since `low`, but moves there. */
+APART int departs(const Run *run, const Stepper *s, double t, double h, double low, double high,
+    double value, int64_t event)
+{
+    const double resolution = resolution_of(t, h), first = low, last = high;
+    return value * (double)run->watch.sides.at[event] < 0.0
+        && !comes_to_side(run, s, t, h, &low, &high, resolution, event)
+        && turning_place(run, s, t, h, first, last, resolution, event) == NOWHERE;
 }
 
 /* Stop for a Python function that raised something: the step's events are looked for again. */
@@ -106,14 +158,14 @@ INLINE int64_t note_rests(const Run *run, const Stepper *s, double t, double h, 
     const double *times = run->progress.times.at, span = times[run->progress.times.size - 1] - times[0];
     int zero = 0;
     for (int64_t k = 0; k < number; k++)
-        zero = zero || (w->fired.at[k] != 0 && located[k] == 0.0);
+        zero = zero || (w->fired.at[k] > 0 && located[k] == 0.0);
     /* on shorter ways rounding is what is seen */
     if (!zero || (right - first) * h <= CLOSE * maximum(absolute(t + h), span))
         return 0;
     if (probe(run, s, t, h, first + CLOSE * (right - first), MIDDLES) < 0)
         return CALLBACK;
     for (int64_t k = 0; k < number; k++)
-        if (w->fired.at[k] != 0 && located[k] == 0.0 && beside[k] == 0.0)
+        if (w->fired.at[k] > 0 && located[k] == 0.0 && beside[k] == 0.0)
             note_rest(w, k, t + first * h, t + first * h);
     return 0;
 }
@@ -326,33 +378,41 @@ ENTRY int64_t scan_events(const Run *run, double t, double h)
                 return called_back(run, logged);
         }
         for (;;) {
-            double first = 2.0;
+            double first = NOWHERE;
+            int64_t earliest = -1, undefined = -1;
             for (int64_t k = 0; k < number; k++) {
                 fired[k] = 0;
                 if (crossed(sides[k], values[k], directions[k]) || lost(sides[k], values[k])) {
                     const double theta = locate(run, s, t, h, left, right, k);
-                    fired[k] = theta <= left;
-                    first = minimum(theta, first);
+                    fired[k] = theta == NOWHERE ? DEPARTS : theta <= left;
+                    if (theta < first)
+                        first = theta, earliest = k;
                 }
             }
             if (first > 1.0)
                 break;
             if (probe(run, s, t, h, first, LOCATED) < 0)
                 return called_back(run, logged);
-            /* by then another may have crossed that is back at `right` */
-            for (int64_t k = 0; k < number; k++)
-                if (crossed(sides[k], located[k], directions[k])
+            /* by then another may have crossed that is back at `right`, or not have come to its side */
+            for (int64_t k = 0; k < number; k++) {
+                if (k == earliest || fired[k] != 0 || !((double)sides[k] * located[k] < 0.0))
+                    continue;
+                if (departs(run, s, t, h, left, first, located[k], k))
+                    fired[k] = DEPARTS;
+                else if (crossed(sides[k], located[k], directions[k])
                     && !crossed(sides[k], values[k], directions[k])) {
                     const double theta = locate(run, s, t, h, left, first, k);
                     if (theta > left)
                         first = theta, fired[k] = BACK;
-                    if (probe(run, s, t, h, first, LOCATED) < 0)
-                        return called_back(run, logged);
                 }
+                if (probe(run, s, t, h, first, LOCATED) < 0)
+                    return called_back(run, logged);
+            }
             int acting = 0;
-            int64_t undefined = -1;
             for (int64_t k = 0; k < number; k++) {
                 const double now = located[k];
+                if (fired[k] == DEPARTS)
+                    continue;
                 int here = crossed(sides[k], now, directions[k]);
                 /* exactly zero at its own root, or handled at `left` and left again */
                 if (!here && crossed(sides[k], values[k], directions[k]))
@@ -372,7 +432,7 @@ ENTRY int64_t scan_events(const Run *run, double t, double h)
                 return note_rests(run, s, t, h, first, right) == CALLBACK ? called_back(run, logged) : EVENT;
             }
             for (int64_t k = 0; k < number; k++) {
-                if (fired[k] == 0)
+                if (fired[k] <= 0)
                     continue;
                 log_event(run, t + first * h, k);
                 sides[k] = -sides[k];
@@ -392,10 +452,10 @@ ENTRY int64_t scan_events(const Run *run, double t, double h)
             left = first;
         }
         for (int64_t k = 0; k < number; k++) {
-            if (values[k] > 0.0)
-                sides[k] = 1;
-            else if (values[k] < 0.0)
-                sides[k] = -1;
+            if (values[k] * (double)sides[k] < 0.0 && !departs(run, s, t, h, left, right, values[k], k))
+                sides[k] = -sides[k];
+            else if (sides[k] == 0)
+                sides[k] = values[k] > 0.0 ? 1 : values[k] < 0.0 ? -1 : 0;
             if (right == scan_points[part] && ends[(part - 1) * number + k] == 0.0 && ends[part * number + k] == 0.0)
                 note_rest(w, k, t + scan_points[part - 1] * h, t + right * h);
         }

@@ -660,7 +660,7 @@ INLINE int64_t act_alone(const LaneRun *run, int64_t lane)
     int64_t *logged = own->progress.counts.at + LOGGED, fired = 0, event = 0;
     const int full = *logged + 1 + number > w->log_times.size;
     for (int64_t k = 0; k < number; k++)
-        if (w->fired.at[k] != 0)
+        if (w->fired.at[k] > 0)
             fired += 1, event = k;
     if (full)
         empty_log(run, lane);

@@ -1,4 +1,4 @@
-; sources fe4db6d3ccf2bb72fe4cb592cc2bf064b199fa876113a0f79c0083857df9aebb
+; sources 3b99022341efdefaf504d14e99571481c2f1eb3b27aa61f6f247752c3ed177a9
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
@@ -51,12 +51,12 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
   %44 = phi i64 [ 0, %39 ], [ %52, %50 ]
   %45 = getelementptr inbounds i64, ptr %41, i64 %44
   %46 = load i64, ptr %45, align 8
-  %47 = icmp eq i64 %46, 0
-  br i1 %47, label %50, label %48
+  %47 = icmp sgt i64 %46, 0
+  br i1 %47, label %48, label %50
 
 48:                                               ; preds = %42
   %49 = icmp sgt i64 %43, -1
-  br i1 %49, label %330, label %50
+  br i1 %49, label %352, label %50
 
 50:                                               ; preds = %48, %42
   %51 = phi i64 [ %43, %42 ], [ %44, %48 ]
@@ -67,7 +67,7 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
 54:                                               ; preds = %50, %1
   %55 = phi i64 [ -1, %1 ], [ %51, %50 ]
   %56 = icmp slt i64 %55, 0
-  br i1 %56, label %330, label %57
+  br i1 %56, label %352, label %57
 
 57:                                               ; preds = %54
   %58 = getelementptr inbounds i8, ptr %0, i64 864
@@ -76,7 +76,7 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
   %61 = load i64, ptr %60, align 8
   %62 = and i64 %61, 4
   %63 = icmp eq i64 %62, 0
-  br i1 %63, label %330, label %64
+  br i1 %63, label %352, label %64
 
 64:                                               ; preds = %57
   %65 = add nsw i64 %25, 1
@@ -85,7 +85,7 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
   %68 = getelementptr inbounds i8, ptr %0, i64 1064
   %69 = load i64, ptr %68, align 8
   %70 = icmp sgt i64 %66, %69
-  br i1 %70, label %330, label %71
+  br i1 %70, label %352, label %71
 
 71:                                               ; preds = %64
   %72 = mul nsw i64 %55, %21
@@ -127,7 +127,7 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
   %97 = load ptr, ptr %96, align 8
   %98 = tail call i32 %97(ptr noundef %91, ptr noundef %27, ptr noundef %93, ptr noundef %95, ptr noundef %30) #4
   %99 = icmp eq i32 %98, 0
-  br i1 %99, label %100, label %330
+  br i1 %99, label %100, label %352
 
 100:                                              ; preds = %86
   %101 = load ptr, ptr %2, align 8
@@ -140,7 +140,7 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
   %108 = load ptr, ptr %107, align 8
   %109 = tail call i32 %108(ptr noundef %103, ptr noundef %27, ptr noundef %104, ptr noundef %106, ptr noundef %33) #4
   %110 = icmp eq i32 %109, 0
-  br i1 %110, label %111, label %330
+  br i1 %110, label %111, label %352
 
 111:                                              ; preds = %100
   %112 = load ptr, ptr %2, align 8
@@ -152,7 +152,7 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
   %118 = load ptr, ptr %117, align 8
   %119 = tail call i32 %118(ptr noundef %114, ptr noundef %73, ptr noundef %115, ptr noundef %116, ptr noundef %34) #4
   %120 = icmp eq i32 %119, 0
-  br i1 %120, label %121, label %330
+  br i1 %120, label %121, label %352
 
 121:                                              ; preds = %111
   %122 = load ptr, ptr %2, align 8
@@ -167,7 +167,7 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
   %131 = load ptr, ptr %130, align 8
   %132 = tail call i32 %131(ptr noundef %125, ptr noundef %73, ptr noundef %126, ptr noundef %128, ptr noundef %129) #4
   %133 = icmp eq i32 %132, 0
-  br i1 %133, label %134, label %330
+  br i1 %133, label %134, label %352
 
 134:                                              ; preds = %121
   %135 = icmp sgt i64 %21, 0
@@ -194,7 +194,7 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
   %148 = load double, ptr %147, align 8
   %149 = tail call double @llvm.fabs.f64(double %148)
   %150 = fcmp ueq double %149, 0x7FF0000000000000
-  br i1 %150, label %330, label %136
+  br i1 %150, label %352, label %136
 
 151:                                              ; preds = %141, %197
   %152 = phi i64 [ 0, %141 ], [ %198, %197 ]
@@ -212,7 +212,7 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
   %160 = getelementptr inbounds double, ptr %34, i64 %152
   %161 = load double, ptr %160, align 8
   %162 = fcmp uno double %161, 0.000000e+00
-  br i1 %162, label %330, label %163
+  br i1 %162, label %352, label %163
 
 163:                                              ; preds = %159, %154
   %164 = load ptr, ptr %143, align 8
@@ -258,7 +258,7 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
 194:                                              ; preds = %185, %187
   %195 = phi i32 [ 1, %185 ], [ %193, %187 ]
   %196 = icmp eq i32 %195, 0
-  br i1 %196, label %197, label %330
+  br i1 %196, label %197, label %352
 
 197:                                              ; preds = %163, %168, %174, %194, %151
   %198 = add nuw nsw i64 %152, 1
@@ -313,139 +313,171 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
   %235 = sitofp i64 %234 to double
   %236 = fmul double %230, %235
   %237 = fcmp ogt double %236, 0.000000e+00
-  br i1 %237, label %238, label %330
+  br i1 %237, label %238, label %352
 
 238:                                              ; preds = %228, %222, %216, %214
   %239 = icmp sgt i64 %16, 0
-  br i1 %239, label %240, label %242
+  br i1 %239, label %240, label %243
 
 240:                                              ; preds = %238
-  %241 = getelementptr inbounds i8, ptr %0, i64 936
-  br label %253
+  %241 = getelementptr inbounds i8, ptr %0, i64 960
+  %242 = getelementptr inbounds i8, ptr %0, i64 936
+  br label %254
 
-242:                                              ; preds = %253, %238
-  %243 = load ptr, ptr %67, align 8
-  %244 = getelementptr inbounds double, ptr %243, i64 %25
-  store double %31, ptr %244, align 8
-  %245 = getelementptr inbounds i8, ptr %0, i64 1080
-  %246 = load ptr, ptr %245, align 8
-  %247 = getelementptr inbounds i64, ptr %246, i64 %25
-  store i64 %55, ptr %247, align 8
-  %248 = icmp sgt i64 %21, 0
-  br i1 %248, label %249, label %275
+243:                                              ; preds = %283, %238
+  %244 = load ptr, ptr %67, align 8
+  %245 = getelementptr inbounds double, ptr %244, i64 %25
+  store double %31, ptr %245, align 8
+  %246 = getelementptr inbounds i8, ptr %0, i64 1080
+  %247 = load ptr, ptr %246, align 8
+  %248 = getelementptr inbounds i64, ptr %247, i64 %25
+  store i64 %55, ptr %248, align 8
+  %249 = icmp sgt i64 %21, 0
+  br i1 %249, label %250, label %297
 
-249:                                              ; preds = %242
-  %250 = getelementptr inbounds i8, ptr %0, i64 1104
-  %251 = mul nsw i64 %25, %19
-  %252 = getelementptr inbounds i8, ptr %0, i64 1128
-  br label %282
+250:                                              ; preds = %243
+  %251 = getelementptr inbounds i8, ptr %0, i64 1104
+  %252 = mul nsw i64 %25, %19
+  %253 = getelementptr inbounds i8, ptr %0, i64 1128
+  br label %304
 
-253:                                              ; preds = %240, %253
-  %254 = phi i64 [ 0, %240 ], [ %273, %253 ]
-  %255 = getelementptr inbounds double, ptr %34, i64 %254
-  %256 = load double, ptr %255, align 8
-  %257 = fcmp une double %256, 0.000000e+00
-  %258 = icmp ne i64 %254, %55
-  %259 = or i1 %215, %258
-  %260 = and i1 %257, %259
-  %261 = getelementptr inbounds double, ptr %36, i64 %254
-  %262 = select i1 %260, ptr %255, ptr %261
-  %263 = load double, ptr %262, align 8
-  %264 = tail call double @llvm.fabs.f64(double %263)
-  %265 = fcmp ueq double %264, 0x7FF0000000000000
-  %266 = fcmp ogt double %263, 0.000000e+00
-  %267 = fcmp olt double %263, 0.000000e+00
-  %268 = sext i1 %267 to i64
-  %269 = select i1 %266, i64 1, i64 %268
-  %270 = select i1 %265, i64 0, i64 %269
-  %271 = load ptr, ptr %241, align 8
-  %272 = getelementptr inbounds i64, ptr %271, i64 %254
-  store i64 %270, ptr %272, align 8
-  %273 = add nuw nsw i64 %254, 1
-  %274 = icmp eq i64 %273, %16
-  br i1 %274, label %242, label %253, !llvm.loop !8
+254:                                              ; preds = %240, %283
+  %255 = phi i64 [ 0, %240 ], [ %295, %283 ]
+  %256 = getelementptr inbounds double, ptr %34, i64 %255
+  %257 = load double, ptr %256, align 8
+  %258 = getelementptr inbounds double, ptr %33, i64 %255
+  %259 = load double, ptr %258, align 8
+  %260 = fcmp oeq double %257, %259
+  %261 = fcmp oeq double %257, 0.000000e+00
+  %262 = or i1 %261, %260
+  br i1 %262, label %269, label %263
 
-275:                                              ; preds = %282, %242
-  %276 = load ptr, ptr %22, align 8
-  %277 = getelementptr inbounds i8, ptr %276, i64 80
-  store i64 %65, ptr %277, align 8
-  %278 = load ptr, ptr %0, align 8
-  %279 = getelementptr inbounds i8, ptr %278, i64 8
-  %280 = load i64, ptr %279, align 8
-  %281 = icmp eq i64 %280, 0
-  br i1 %281, label %295, label %301
+263:                                              ; preds = %254
+  %264 = getelementptr inbounds double, ptr %37, i64 %255
+  %265 = load double, ptr %264, align 8
+  %266 = tail call double @llvm.fabs.f64(double %257)
+  %267 = fmul double %265, 0x3CE0000000000000
+  %268 = fcmp ole double %266, %267
+  br label %269
 
-282:                                              ; preds = %249, %282
-  %283 = phi i64 [ 0, %249 ], [ %293, %282 ]
-  %284 = getelementptr inbounds double, ptr %27, i64 %283
+269:                                              ; preds = %263, %254
+  %270 = phi i1 [ true, %254 ], [ %268, %263 ]
+  %271 = fcmp une double %257, 0.000000e+00
+  %272 = icmp ne i64 %255, %55
+  %273 = or i1 %215, %272
+  %274 = and i1 %271, %273
+  br i1 %274, label %275, label %281
+
+275:                                              ; preds = %269
+  %276 = load ptr, ptr %241, align 8
+  %277 = getelementptr inbounds i64, ptr %276, i64 %255
+  %278 = load i64, ptr %277, align 8
+  %279 = icmp slt i64 %278, 0
+  %280 = select i1 %279, i1 %270, i1 false
+  br i1 %280, label %281, label %283
+
+281:                                              ; preds = %269, %275
+  %282 = getelementptr inbounds double, ptr %36, i64 %255
+  br label %283
+
+283:                                              ; preds = %275, %281
+  %284 = phi ptr [ %282, %281 ], [ %256, %275 ]
   %285 = load double, ptr %284, align 8
-  %286 = load ptr, ptr %250, align 8
-  %287 = add nsw i64 %283, %251
-  %288 = getelementptr inbounds double, ptr %286, i64 %287
-  store double %285, ptr %288, align 8
-  %289 = getelementptr inbounds double, ptr %73, i64 %283
-  %290 = load double, ptr %289, align 8
-  store double %290, ptr %284, align 8
-  %291 = load ptr, ptr %252, align 8
-  %292 = getelementptr inbounds double, ptr %291, i64 %287
-  store double %290, ptr %292, align 8
-  %293 = add nuw nsw i64 %283, 1
-  %294 = icmp eq i64 %293, %21
-  br i1 %294, label %275, label %282, !llvm.loop !9
+  %286 = tail call double @llvm.fabs.f64(double %285)
+  %287 = fcmp ueq double %286, 0x7FF0000000000000
+  %288 = fcmp ogt double %285, 0.000000e+00
+  %289 = fcmp olt double %285, 0.000000e+00
+  %290 = sext i1 %289 to i64
+  %291 = select i1 %288, i64 1, i64 %290
+  %292 = select i1 %287, i64 0, i64 %291
+  %293 = load ptr, ptr %242, align 8
+  %294 = getelementptr inbounds i64, ptr %293, i64 %255
+  store i64 %292, ptr %294, align 8
+  %295 = add nuw nsw i64 %255, 1
+  %296 = icmp eq i64 %295, %16
+  br i1 %296, label %243, label %254, !llvm.loop !8
 
-295:                                              ; preds = %275
-  %296 = getelementptr inbounds i8, ptr %0, i64 1272
-  %297 = load ptr, ptr %296, align 8
-  %298 = getelementptr inbounds i8, ptr %297, i64 8
-  %299 = load double, ptr %298, align 8
-  %300 = getelementptr inbounds i8, ptr %28, i64 8
-  store double %299, ptr %300, align 8
-  br label %301
+297:                                              ; preds = %304, %243
+  %298 = load ptr, ptr %22, align 8
+  %299 = getelementptr inbounds i8, ptr %298, i64 80
+  store i64 %65, ptr %299, align 8
+  %300 = load ptr, ptr %0, align 8
+  %301 = getelementptr inbounds i8, ptr %300, i64 8
+  %302 = load i64, ptr %301, align 8
+  %303 = icmp eq i64 %302, 0
+  br i1 %303, label %317, label %323
 
-301:                                              ; preds = %295, %275
-  %302 = getelementptr inbounds i8, ptr %0, i64 1248
-  %303 = load ptr, ptr %302, align 8
-  %304 = mul i64 %55, 800
-  %305 = getelementptr inbounds i8, ptr %303, i64 %304
-  %306 = load double, ptr %305, align 8
-  %307 = fsub double %31, %306
-  %308 = tail call double @llvm.fabs.f64(double %31)
-  %309 = fcmp ogt double %308, %13
-  %310 = select i1 %309, double %308, double %13
-  %311 = fmul double %310, 0x3CF0000000000000
-  %312 = fcmp ugt double %307, %311
-  br i1 %312, label %313, label %320
+304:                                              ; preds = %250, %304
+  %305 = phi i64 [ 0, %250 ], [ %315, %304 ]
+  %306 = getelementptr inbounds double, ptr %27, i64 %305
+  %307 = load double, ptr %306, align 8
+  %308 = load ptr, ptr %251, align 8
+  %309 = add nsw i64 %305, %252
+  %310 = getelementptr inbounds double, ptr %308, i64 %309
+  store double %307, ptr %310, align 8
+  %311 = getelementptr inbounds double, ptr %73, i64 %305
+  %312 = load double, ptr %311, align 8
+  store double %312, ptr %306, align 8
+  %313 = load ptr, ptr %253, align 8
+  %314 = getelementptr inbounds double, ptr %313, i64 %309
+  store double %312, ptr %314, align 8
+  %315 = add nuw nsw i64 %305, 1
+  %316 = icmp eq i64 %315, %21
+  br i1 %316, label %297, label %304, !llvm.loop !9
 
-313:                                              ; preds = %301
-  %314 = getelementptr inbounds i8, ptr %305, i64 784
-  %315 = load double, ptr %314, align 8
-  %316 = fsub double %31, %315
-  %317 = fmul double %13, 1.000000e-09
-  %318 = fcmp olt double %316, %317
-  %319 = select i1 %318, i64 8, i64 1
-  br label %320
-
-320:                                              ; preds = %313, %301
-  %321 = phi i64 [ 8, %301 ], [ %319, %313 ]
+317:                                              ; preds = %297
+  %318 = getelementptr inbounds i8, ptr %0, i64 1272
+  %319 = load ptr, ptr %318, align 8
+  %320 = getelementptr inbounds i8, ptr %319, i64 8
+  %321 = load double, ptr %320, align 8
+  %322 = getelementptr inbounds i8, ptr %28, i64 8
+  store double %321, ptr %322, align 8
   br label %323
 
-322:                                              ; preds = %323
-  store double %31, ptr %305, align 8
-  br label %330
+323:                                              ; preds = %317, %297
+  %324 = getelementptr inbounds i8, ptr %0, i64 1248
+  %325 = load ptr, ptr %324, align 8
+  %326 = mul i64 %55, 800
+  %327 = getelementptr inbounds i8, ptr %325, i64 %326
+  %328 = load double, ptr %327, align 8
+  %329 = fsub double %31, %328
+  %330 = tail call double @llvm.fabs.f64(double %31)
+  %331 = fcmp ogt double %330, %13
+  %332 = select i1 %331, double %330, double %13
+  %333 = fmul double %332, 0x3CF0000000000000
+  %334 = fcmp ugt double %329, %333
+  br i1 %334, label %335, label %342
 
-323:                                              ; preds = %320, %323
-  %324 = phi i64 [ 99, %320 ], [ %328, %323 ]
-  %325 = getelementptr double, ptr %305, i64 %324
-  %326 = getelementptr i8, ptr %325, i64 -8
-  %327 = load double, ptr %326, align 8
-  store double %327, ptr %325, align 8
-  %328 = add nsw i64 %324, -1
-  %329 = icmp ugt i64 %324, 1
-  br i1 %329, label %323, label %322, !llvm.loop !10
+335:                                              ; preds = %323
+  %336 = getelementptr inbounds i8, ptr %327, i64 784
+  %337 = load double, ptr %336, align 8
+  %338 = fsub double %31, %337
+  %339 = fmul double %13, 1.000000e-09
+  %340 = fcmp olt double %338, %339
+  %341 = select i1 %340, i64 8, i64 1
+  br label %342
 
-330:                                              ; preds = %48, %145, %159, %194, %121, %111, %100, %86, %228, %322, %54, %57, %64
-  %331 = phi i64 [ 0, %64 ], [ 0, %57 ], [ 0, %54 ], [ 0, %121 ], [ 0, %111 ], [ 0, %100 ], [ 0, %86 ], [ %321, %322 ], [ 0, %228 ], [ 0, %194 ], [ 0, %159 ], [ 0, %145 ], [ 0, %48 ]
-  ret i64 %331
+342:                                              ; preds = %335, %323
+  %343 = phi i64 [ 8, %323 ], [ %341, %335 ]
+  br label %345
+
+344:                                              ; preds = %345
+  store double %31, ptr %327, align 8
+  br label %352
+
+345:                                              ; preds = %342, %345
+  %346 = phi i64 [ 99, %342 ], [ %350, %345 ]
+  %347 = getelementptr double, ptr %327, i64 %346
+  %348 = getelementptr i8, ptr %347, i64 -8
+  %349 = load double, ptr %348, align 8
+  store double %349, ptr %347, align 8
+  %350 = add nsw i64 %346, -1
+  %351 = icmp ugt i64 %346, 1
+  br i1 %351, label %345, label %344, !llvm.loop !10
+
+352:                                              ; preds = %48, %145, %159, %194, %121, %111, %100, %86, %228, %344, %54, %57, %64
+  %353 = phi i64 [ 0, %64 ], [ 0, %57 ], [ 0, %54 ], [ 0, %121 ], [ 0, %111 ], [ 0, %100 ], [ 0, %86 ], [ %343, %344 ], [ 0, %228 ], [ 0, %194 ], [ 0, %159 ], [ 0, %145 ], [ 0, %48 ]
+  ret i64 %353
 }
 
 declare double @llvm.fabs.f64(double) #1

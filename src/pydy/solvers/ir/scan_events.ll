@@ -1,4 +1,4 @@
-; sources 071fb5939804b170e978d345350793d3b3eeb191fe0ab5432695dacd2bed3c13
+; sources 5ff822334cfbeac35fe57ab77830a5abb64949dfbf586a4f4b3f002a1e3ff0f6
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }
@@ -131,7 +131,7 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
   %100 = getelementptr inbounds i8, ptr %99, i64 80
   store i64 %23, ptr %100, align 8
   %101 = load ptr, ptr %19, align 8
-  br label %1071
+  br label %1105
 
 102:                                              ; preds = %49, %122
   %103 = phi i64 [ 0, %49 ], [ %123, %122 ]
@@ -141,7 +141,7 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
 
 106:                                              ; preds = %102, %122, %47
   %107 = call fastcc i64 @resolve(ptr noundef %0, ptr noundef nonnull %4, double noundef %1, double noundef %2) #8
-  switch i64 %107, label %1075 [
+  switch i64 %107, label %1109 [
     i64 0, label %129
     i64 -4, label %125
   ]
@@ -177,7 +177,7 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
   %127 = getelementptr inbounds i8, ptr %126, i64 80
   store i64 %23, ptr %127, align 8
   %128 = load ptr, ptr %19, align 8
-  br label %1071
+  br label %1105
 
 129:                                              ; preds = %106
   %130 = getelementptr inbounds i8, ptr %0, i64 320
@@ -266,71 +266,71 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
   %191 = getelementptr inbounds i8, ptr %190, i64 80
   store i64 %23, ptr %191, align 8
   %192 = load ptr, ptr %19, align 8
-  br label %1071
+  br label %1105
 
 193:                                              ; preds = %170, %129
   store double 0x7FF8000000000000, ptr %30, align 8
   %194 = getelementptr inbounds i8, ptr %0, i64 1032
-  %195 = load ptr, ptr %7, align 8
-  %196 = getelementptr inbounds i8, ptr %195, i64 96
-  %197 = getelementptr inbounds i8, ptr %195, i64 192
-  %198 = getelementptr inbounds i8, ptr %195, i64 8
-  %199 = load ptr, ptr %4, align 8
-  %200 = load ptr, ptr %5, align 8
-  %201 = getelementptr inbounds i8, ptr %0, i64 168
-  %202 = getelementptr inbounds i8, ptr %0, i64 248
-  %203 = getelementptr inbounds i8, ptr %0, i64 168
-  %204 = getelementptr inbounds i8, ptr %0, i64 192
-  %205 = getelementptr inbounds i8, ptr %0, i64 792
-  %206 = icmp sgt i64 %12, 0
-  %207 = getelementptr inbounds i8, ptr %0, i64 1032
-  %208 = load ptr, ptr %7, align 8
-  %209 = getelementptr inbounds i8, ptr %208, i64 96
-  %210 = getelementptr inbounds i8, ptr %208, i64 192
-  %211 = getelementptr inbounds i8, ptr %208, i64 8
-  %212 = load ptr, ptr %4, align 8
-  %213 = load ptr, ptr %5, align 8
-  %214 = getelementptr inbounds i8, ptr %0, i64 168
-  %215 = getelementptr inbounds i8, ptr %0, i64 248
-  %216 = getelementptr inbounds i8, ptr %0, i64 168
-  %217 = getelementptr inbounds i8, ptr %0, i64 192
-  %218 = getelementptr inbounds i8, ptr %0, i64 792
-  %219 = icmp sgt i64 %12, 0
-  %220 = icmp sgt i64 %12, 0
-  %221 = getelementptr inbounds i8, ptr %0, i64 840
-  %222 = getelementptr inbounds i8, ptr %24, i64 48
+  %195 = getelementptr inbounds i8, ptr %0, i64 168
+  %196 = getelementptr inbounds i8, ptr %0, i64 248
+  %197 = getelementptr inbounds i8, ptr %0, i64 168
+  %198 = getelementptr inbounds i8, ptr %0, i64 192
+  %199 = getelementptr inbounds i8, ptr %0, i64 792
+  %200 = icmp sgt i64 %12, 0
+  %201 = getelementptr inbounds i8, ptr %0, i64 1032
+  %202 = getelementptr inbounds i8, ptr %0, i64 168
+  %203 = getelementptr inbounds i8, ptr %0, i64 248
+  %204 = getelementptr inbounds i8, ptr %0, i64 168
+  %205 = getelementptr inbounds i8, ptr %0, i64 192
+  %206 = getelementptr inbounds i8, ptr %0, i64 792
+  %207 = icmp sgt i64 %12, 0
+  %208 = icmp sgt i64 %12, 0
+  %209 = getelementptr inbounds i8, ptr %0, i64 840
+  %210 = getelementptr inbounds i8, ptr %24, i64 48
+  %211 = getelementptr inbounds i8, ptr %0, i64 672
+  %212 = getelementptr inbounds i8, ptr %0, i64 680
+  %213 = fadd double %1, %2
+  %214 = tail call double @llvm.fabs.f64(double %213)
+  %215 = getelementptr inbounds i8, ptr %0, i64 1016
+  %216 = getelementptr inbounds i8, ptr %0, i64 1008
+  %217 = icmp sgt i64 %12, 0
+  %218 = getelementptr inbounds i8, ptr %0, i64 1064
+  %219 = getelementptr inbounds i8, ptr %0, i64 1056
+  %220 = getelementptr inbounds i8, ptr %0, i64 1080
+  %221 = getelementptr inbounds i8, ptr %0, i64 1128
+  %222 = getelementptr inbounds i8, ptr %0, i64 1104
   %223 = getelementptr inbounds i8, ptr %0, i64 672
   %224 = getelementptr inbounds i8, ptr %0, i64 680
   %225 = fadd double %1, %2
   %226 = tail call double @llvm.fabs.f64(double %225)
   %227 = getelementptr inbounds i8, ptr %0, i64 1016
   %228 = getelementptr inbounds i8, ptr %0, i64 1008
-  %229 = icmp sgt i64 %12, 0
-  %230 = getelementptr inbounds i8, ptr %0, i64 1064
-  %231 = getelementptr inbounds i8, ptr %0, i64 1056
-  %232 = getelementptr inbounds i8, ptr %0, i64 1080
-  %233 = getelementptr inbounds i8, ptr %0, i64 1128
-  %234 = getelementptr inbounds i8, ptr %0, i64 1104
-  %235 = getelementptr inbounds i8, ptr %0, i64 672
-  %236 = getelementptr inbounds i8, ptr %0, i64 680
-  %237 = fadd double %1, %2
-  %238 = tail call double @llvm.fabs.f64(double %237)
-  %239 = getelementptr inbounds i8, ptr %0, i64 1016
-  %240 = getelementptr inbounds i8, ptr %0, i64 1008
-  %241 = getelementptr inbounds i8, ptr %0, i64 1064
-  %242 = getelementptr inbounds i8, ptr %24, i64 48
-  %243 = icmp sgt i64 %12, 0
-  %244 = getelementptr inbounds i8, ptr %24, i64 48
-  %245 = icmp sgt i64 %12, 0
-  %246 = getelementptr inbounds i8, ptr %0, i64 1016
-  %247 = getelementptr inbounds i8, ptr %0, i64 1008
+  %229 = getelementptr inbounds i8, ptr %0, i64 1064
+  %230 = getelementptr inbounds i8, ptr %24, i64 48
+  %231 = icmp sgt i64 %12, 0
+  %232 = getelementptr inbounds i8, ptr %24, i64 48
+  %233 = icmp sgt i64 %12, 0
+  %234 = getelementptr inbounds i8, ptr %0, i64 1016
+  %235 = getelementptr inbounds i8, ptr %0, i64 1008
+  %236 = load ptr, ptr %7, align 8
+  %237 = getelementptr inbounds i8, ptr %236, i64 96
+  %238 = getelementptr inbounds i8, ptr %236, i64 192
+  %239 = getelementptr inbounds i8, ptr %236, i64 8
+  %240 = load ptr, ptr %4, align 8
+  %241 = load ptr, ptr %5, align 8
+  %242 = load ptr, ptr %7, align 8
+  %243 = getelementptr inbounds i8, ptr %242, i64 96
+  %244 = getelementptr inbounds i8, ptr %242, i64 192
+  %245 = getelementptr inbounds i8, ptr %242, i64 8
+  %246 = load ptr, ptr %4, align 8
+  %247 = load ptr, ptr %5, align 8
   br label %248
 
-248:                                              ; preds = %193, %1050
-  %249 = phi i1 [ false, %193 ], [ %1054, %1050 ]
-  %250 = phi i64 [ -4, %193 ], [ %1048, %1050 ]
-  %251 = phi double [ 0.000000e+00, %193 ], [ %1047, %1050 ]
-  %252 = phi i32 [ 1, %193 ], [ %1053, %1050 ]
+248:                                              ; preds = %193, %1084
+  %249 = phi i1 [ false, %193 ], [ %1088, %1084 ]
+  %250 = phi i64 [ -4, %193 ], [ %1082, %1084 ]
+  %251 = phi double [ 0.000000e+00, %193 ], [ %1081, %1084 ]
+  %252 = phi i32 [ 1, %193 ], [ %1087, %1084 ]
   %253 = zext nneg i32 %252 to i64
   %254 = getelementptr inbounds [5 x double], ptr @scan_points, i64 0, i64 %253
   %255 = load double, ptr %254, align 8
@@ -403,7 +403,7 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
 302:                                              ; preds = %299, %269, %248
   %303 = phi double [ 2.000000e+00, %248 ], [ -4.000000e+00, %299 ], [ %301, %269 ]
   %304 = fcmp olt double %303, 0.000000e+00
-  br i1 %304, label %1040, label %305
+  br i1 %304, label %1074, label %305
 
 305:                                              ; preds = %302
   %306 = getelementptr double, ptr %28, i64 %256
@@ -413,24 +413,24 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
 308:                                              ; preds = %305
   %309 = load ptr, ptr %25, align 8
   %310 = load ptr, ptr %194, align 8
-  %311 = load ptr, ptr %196, align 8
+  %311 = load ptr, ptr %237, align 8
   %312 = insertelement <8 x double> poison, double %303, i64 0
   %313 = shufflevector <8 x double> %312, <8 x double> poison, <8 x i32> zeroinitializer
   store <8 x double> %313, ptr %311, align 8
-  %314 = load ptr, ptr %195, align 8
-  %315 = load ptr, ptr %197, align 8
-  %316 = load i64, ptr %198, align 8
-  %317 = load ptr, ptr %199, align 8
+  %314 = load ptr, ptr %236, align 8
+  %315 = load ptr, ptr %238, align 8
+  %316 = load i64, ptr %239, align 8
+  %317 = load ptr, ptr %240, align 8
   %318 = getelementptr inbounds i8, ptr %317, i64 24
   %319 = load i64, ptr %318, align 8
-  %320 = load ptr, ptr %196, align 8
-  %321 = load ptr, ptr %200, align 8
+  %320 = load ptr, ptr %237, align 8
+  %321 = load ptr, ptr %241, align 8
   %322 = getelementptr inbounds i8, ptr %321, i64 16
   %323 = load i64, ptr %322, align 8
   tail call fastcc void @nested(ptr noundef %310, ptr noundef %314, ptr noundef %315, i64 noundef %316, i64 noundef %319, ptr noundef %320, i64 noundef %323) #8
   %324 = fmul double %303, %2
   %325 = fadd double %324, %1
-  %326 = load ptr, ptr %201, align 8
+  %326 = load ptr, ptr %195, align 8
   store double %325, ptr %326, align 8
   %327 = load ptr, ptr %6, align 8
   %328 = getelementptr inbounds i8, ptr %327, i64 40
@@ -443,7 +443,7 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
   br label %332
 
 332:                                              ; preds = %331, %308
-  %333 = load i64, ptr %202, align 8
+  %333 = load i64, ptr %196, align 8
   %334 = icmp sgt i64 %333, 0
   br i1 %334, label %335, label %336
 
@@ -454,1103 +454,1147 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
 336:                                              ; preds = %332, %335
   %337 = load ptr, ptr %9, align 8
   %338 = load i64, ptr %337, align 8
-  %339 = load ptr, ptr %203, align 8
+  %339 = load ptr, ptr %197, align 8
   %340 = load ptr, ptr %194, align 8
-  %341 = load ptr, ptr %204, align 8
-  %342 = load ptr, ptr %205, align 8
+  %341 = load ptr, ptr %198, align 8
+  %342 = load ptr, ptr %199, align 8
   %343 = load ptr, ptr %25, align 8
   %344 = inttoptr i64 %338 to ptr
   %345 = load ptr, ptr %344, align 8
   %346 = tail call i32 %345(ptr noundef %339, ptr noundef %340, ptr noundef %341, ptr noundef %342, ptr noundef %343) #9
   %347 = icmp slt i32 %346, 0
-  br i1 %347, label %1040, label %348
+  br i1 %347, label %1074, label %348
 
 348:                                              ; preds = %336, %305
   %349 = phi double [ %303, %336 ], [ %255, %305 ]
   %350 = phi ptr [ %309, %336 ], [ %306, %305 ]
   br label %351
 
-351:                                              ; preds = %984, %348
-  %352 = phi double [ %251, %348 ], [ %986, %984 ]
-  %353 = phi i64 [ %250, %348 ], [ %987, %984 ]
-  br i1 %206, label %357, label %354
+351:                                              ; preds = %1002, %348
+  %352 = phi double [ %251, %348 ], [ %1004, %1002 ]
+  %353 = phi i64 [ %250, %348 ], [ %1005, %1002 ]
+  br i1 %200, label %358, label %354
 
-354:                                              ; preds = %392, %351
-  %355 = phi double [ 2.000000e+00, %351 ], [ %393, %392 ]
-  %356 = fcmp ogt double %355, 1.000000e+00
-  br i1 %356, label %984, label %396
+354:                                              ; preds = %397, %351
+  %355 = phi double [ 2.000000e+00, %351 ], [ %398, %397 ]
+  %356 = phi i64 [ -1, %351 ], [ %399, %397 ]
+  %357 = fcmp ogt double %355, 1.000000e+00
+  br i1 %357, label %1002, label %402
 
-357:                                              ; preds = %351, %392
-  %358 = phi i64 [ %394, %392 ], [ 0, %351 ]
-  %359 = phi double [ %393, %392 ], [ 2.000000e+00, %351 ]
-  %360 = getelementptr inbounds i64, ptr %18, i64 %358
-  store i64 0, ptr %360, align 8
-  %361 = getelementptr inbounds i64, ptr %16, i64 %358
-  %362 = load i64, ptr %361, align 8
-  %363 = getelementptr inbounds double, ptr %350, i64 %358
-  %364 = load double, ptr %363, align 8
-  %365 = getelementptr inbounds i64, ptr %14, i64 %358
-  %366 = load i64, ptr %365, align 8
-  %367 = icmp slt i64 %362, 0
-  %368 = fcmp ogt double %364, 0.000000e+00
-  %369 = and i1 %367, %368
-  %370 = icmp sgt i64 %366, -1
+358:                                              ; preds = %351, %397
+  %359 = phi i64 [ %400, %397 ], [ 0, %351 ]
+  %360 = phi i64 [ %399, %397 ], [ -1, %351 ]
+  %361 = phi double [ %398, %397 ], [ 2.000000e+00, %351 ]
+  %362 = getelementptr inbounds i64, ptr %18, i64 %359
+  store i64 0, ptr %362, align 8
+  %363 = getelementptr inbounds i64, ptr %16, i64 %359
+  %364 = load i64, ptr %363, align 8
+  %365 = getelementptr inbounds double, ptr %350, i64 %359
+  %366 = load double, ptr %365, align 8
+  %367 = getelementptr inbounds i64, ptr %14, i64 %359
+  %368 = load i64, ptr %367, align 8
+  %369 = icmp slt i64 %364, 0
+  %370 = fcmp ogt double %366, 0.000000e+00
   %371 = and i1 %369, %370
-  br i1 %371, label %379, label %372
+  %372 = icmp sgt i64 %368, -1
+  %373 = and i1 %371, %372
+  br i1 %373, label %381, label %374
 
-372:                                              ; preds = %357
-  %373 = icmp sgt i64 %362, 0
-  %374 = fcmp olt double %364, 0.000000e+00
-  %375 = and i1 %373, %374
-  br i1 %375, label %376, label %379
+374:                                              ; preds = %358
+  %375 = icmp sgt i64 %364, 0
+  %376 = fcmp olt double %366, 0.000000e+00
+  %377 = and i1 %375, %376
+  br i1 %377, label %378, label %381
 
-376:                                              ; preds = %372
-  %377 = icmp slt i64 %366, 1
-  %378 = zext i1 %377 to i32
-  br label %379
+378:                                              ; preds = %374
+  %379 = icmp slt i64 %368, 1
+  %380 = zext i1 %379 to i32
+  br label %381
 
-379:                                              ; preds = %357, %372, %376
-  %380 = phi i32 [ 1, %357 ], [ 0, %372 ], [ %378, %376 ]
-  %381 = icmp eq i32 %380, 0
-  br i1 %381, label %382, label %386
+381:                                              ; preds = %358, %374, %378
+  %382 = phi i32 [ 1, %358 ], [ 0, %374 ], [ %380, %378 ]
+  %383 = icmp eq i32 %382, 0
+  br i1 %383, label %384, label %388
 
-382:                                              ; preds = %379
-  %383 = icmp eq i64 %362, 0
-  %384 = fcmp ord double %364, 0.000000e+00
-  %385 = or i1 %383, %384
-  br i1 %385, label %392, label %386
+384:                                              ; preds = %381
+  %385 = icmp eq i64 %364, 0
+  %386 = fcmp ord double %366, 0.000000e+00
+  %387 = or i1 %385, %386
+  br i1 %387, label %397, label %388
 
-386:                                              ; preds = %382, %379
-  %387 = call fastcc double @locate(ptr noundef %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, double noundef %352, double noundef %349, i64 noundef %358) #8
-  %388 = fcmp ole double %387, %352
-  %389 = zext i1 %388 to i64
-  store i64 %389, ptr %360, align 8
-  %390 = fcmp olt double %387, %359
-  %391 = select i1 %390, double %387, double %359
-  br label %392
+388:                                              ; preds = %384, %381
+  %389 = call fastcc double @locate(ptr noundef %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, double noundef %352, double noundef %349, i64 noundef %359) #8
+  %390 = fcmp oeq double %389, 2.000000e+00
+  %391 = fcmp ole double %389, %352
+  %392 = zext i1 %391 to i64
+  %393 = select i1 %390, i64 -1, i64 %392
+  store i64 %393, ptr %362, align 8
+  %394 = fcmp olt double %389, %361
+  %395 = select i1 %394, double %389, double %361
+  %396 = select i1 %394, i64 %359, i64 %360
+  br label %397
 
-392:                                              ; preds = %382, %386
-  %393 = phi double [ %391, %386 ], [ %359, %382 ]
-  %394 = add nuw nsw i64 %358, 1
-  %395 = icmp eq i64 %394, %12
-  br i1 %395, label %354, label %357, !llvm.loop !9
+397:                                              ; preds = %384, %388
+  %398 = phi double [ %395, %388 ], [ %361, %384 ]
+  %399 = phi i64 [ %396, %388 ], [ %360, %384 ]
+  %400 = add nuw nsw i64 %359, 1
+  %401 = icmp eq i64 %400, %12
+  br i1 %401, label %354, label %358, !llvm.loop !9
 
-396:                                              ; preds = %354
-  %397 = load ptr, ptr %207, align 8
-  %398 = load ptr, ptr %209, align 8
-  %399 = insertelement <8 x double> poison, double %355, i64 0
-  %400 = shufflevector <8 x double> %399, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %400, ptr %398, align 8
-  %401 = load ptr, ptr %208, align 8
-  %402 = load ptr, ptr %210, align 8
-  %403 = load i64, ptr %211, align 8
-  %404 = load ptr, ptr %212, align 8
-  %405 = getelementptr inbounds i8, ptr %404, i64 24
-  %406 = load i64, ptr %405, align 8
-  %407 = load ptr, ptr %209, align 8
-  %408 = load ptr, ptr %213, align 8
-  %409 = getelementptr inbounds i8, ptr %408, i64 16
-  %410 = load i64, ptr %409, align 8
-  tail call fastcc void @nested(ptr noundef %397, ptr noundef %401, ptr noundef %402, i64 noundef %403, i64 noundef %406, ptr noundef %407, i64 noundef %410) #8
-  %411 = fmul double %355, %2
-  %412 = fadd double %411, %1
-  %413 = load ptr, ptr %214, align 8
-  store double %412, ptr %413, align 8
-  %414 = load ptr, ptr %6, align 8
-  %415 = getelementptr inbounds i8, ptr %414, i64 40
+402:                                              ; preds = %354
+  %403 = load ptr, ptr %201, align 8
+  %404 = load ptr, ptr %243, align 8
+  %405 = insertelement <8 x double> poison, double %355, i64 0
+  %406 = shufflevector <8 x double> %405, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %406, ptr %404, align 8
+  %407 = load ptr, ptr %242, align 8
+  %408 = load ptr, ptr %244, align 8
+  %409 = load i64, ptr %245, align 8
+  %410 = load ptr, ptr %246, align 8
+  %411 = getelementptr inbounds i8, ptr %410, i64 24
+  %412 = load i64, ptr %411, align 8
+  %413 = load ptr, ptr %243, align 8
+  %414 = load ptr, ptr %247, align 8
+  %415 = getelementptr inbounds i8, ptr %414, i64 16
   %416 = load i64, ptr %415, align 8
-  %417 = icmp eq i64 %416, 0
-  br i1 %417, label %419, label %418
+  tail call fastcc void @nested(ptr noundef %403, ptr noundef %407, ptr noundef %408, i64 noundef %409, i64 noundef %412, ptr noundef %413, i64 noundef %416) #8
+  %417 = fmul double %355, %2
+  %418 = fadd double %417, %1
+  %419 = load ptr, ptr %202, align 8
+  store double %418, ptr %419, align 8
+  %420 = load ptr, ptr %6, align 8
+  %421 = getelementptr inbounds i8, ptr %420, i64 40
+  %422 = load i64, ptr %421, align 8
+  %423 = icmp eq i64 %422, 0
+  br i1 %423, label %425, label %424
 
-418:                                              ; preds = %396
+424:                                              ; preds = %402
   tail call fastcc void @settle(ptr noundef nonnull %6) #8
-  br label %419
+  br label %425
 
-419:                                              ; preds = %418, %396
-  %420 = load i64, ptr %215, align 8
-  %421 = icmp sgt i64 %420, 0
-  br i1 %421, label %422, label %423
+425:                                              ; preds = %424, %402
+  %426 = load i64, ptr %203, align 8
+  %427 = icmp sgt i64 %426, 0
+  br i1 %427, label %428, label %429
 
-422:                                              ; preds = %419
+428:                                              ; preds = %425
   tail call fastcc void @sample(ptr noundef nonnull %6) #8
-  br label %423
+  br label %429
 
-423:                                              ; preds = %419, %422
-  %424 = load ptr, ptr %9, align 8
-  %425 = load i64, ptr %424, align 8
-  %426 = load ptr, ptr %216, align 8
-  %427 = load ptr, ptr %207, align 8
-  %428 = load ptr, ptr %217, align 8
-  %429 = load ptr, ptr %218, align 8
-  %430 = load ptr, ptr %25, align 8
-  %431 = getelementptr inbounds i8, ptr %424, i64 8
-  %432 = load i64, ptr %431, align 8
-  %433 = getelementptr inbounds double, ptr %430, i64 %432
-  %434 = inttoptr i64 %425 to ptr
-  %435 = load ptr, ptr %434, align 8
-  %436 = tail call i32 %435(ptr noundef %426, ptr noundef %427, ptr noundef %428, ptr noundef %429, ptr noundef %433) #9
-  %437 = icmp slt i32 %436, 0
-  br i1 %437, label %439, label %438
+429:                                              ; preds = %425, %428
+  %430 = load ptr, ptr %9, align 8
+  %431 = load i64, ptr %430, align 8
+  %432 = load ptr, ptr %204, align 8
+  %433 = load ptr, ptr %201, align 8
+  %434 = load ptr, ptr %205, align 8
+  %435 = load ptr, ptr %206, align 8
+  %436 = load ptr, ptr %25, align 8
+  %437 = getelementptr inbounds i8, ptr %430, i64 8
+  %438 = load i64, ptr %437, align 8
+  %439 = getelementptr inbounds double, ptr %436, i64 %438
+  %440 = inttoptr i64 %431 to ptr
+  %441 = load ptr, ptr %440, align 8
+  %442 = tail call i32 %441(ptr noundef %432, ptr noundef %433, ptr noundef %434, ptr noundef %435, ptr noundef %439) #9
+  %443 = icmp slt i32 %442, 0
+  br i1 %443, label %445, label %444
 
-438:                                              ; preds = %423
-  br i1 %219, label %444, label %547
+444:                                              ; preds = %429
+  br i1 %207, label %450, label %565
 
-439:                                              ; preds = %423
-  %440 = load ptr, ptr %20, align 8
-  %441 = getelementptr inbounds i8, ptr %440, i64 80
-  store i64 %23, ptr %441, align 8
-  %442 = load ptr, ptr %19, align 8
-  %443 = getelementptr inbounds i8, ptr %442, i64 48
-  store double 1.000000e+00, ptr %443, align 8
-  br label %984
+445:                                              ; preds = %429
+  %446 = load ptr, ptr %20, align 8
+  %447 = getelementptr inbounds i8, ptr %446, i64 80
+  store i64 %23, ptr %447, align 8
+  %448 = load ptr, ptr %19, align 8
+  %449 = getelementptr inbounds i8, ptr %448, i64 48
+  store double 1.000000e+00, ptr %449, align 8
+  br label %1002
 
-444:                                              ; preds = %438, %541
-  %445 = phi i1 [ %545, %541 ], [ %219, %438 ]
-  %446 = phi i64 [ %543, %541 ], [ %353, %438 ]
-  %447 = phi i64 [ %544, %541 ], [ 0, %438 ]
-  %448 = phi double [ %542, %541 ], [ %355, %438 ]
-  %449 = getelementptr inbounds i64, ptr %16, i64 %447
-  %450 = load i64, ptr %449, align 8
-  %451 = getelementptr inbounds double, ptr %31, i64 %447
-  %452 = load double, ptr %451, align 8
-  %453 = getelementptr inbounds i64, ptr %14, i64 %447
-  %454 = load i64, ptr %453, align 8
-  %455 = icmp slt i64 %450, 0
-  %456 = fcmp ogt double %452, 0.000000e+00
-  %457 = and i1 %455, %456
-  %458 = icmp sgt i64 %454, -1
-  %459 = and i1 %457, %458
-  br i1 %459, label %467, label %460
+450:                                              ; preds = %444, %560
+  %451 = phi i1 [ %563, %560 ], [ %207, %444 ]
+  %452 = phi i64 [ %562, %560 ], [ 0, %444 ]
+  %453 = phi double [ %561, %560 ], [ %355, %444 ]
+  %454 = icmp eq i64 %452, %356
+  br i1 %454, label %560, label %455
 
-460:                                              ; preds = %444
-  %461 = icmp sgt i64 %450, 0
-  %462 = fcmp olt double %452, 0.000000e+00
-  %463 = and i1 %461, %462
-  br i1 %463, label %464, label %467
+455:                                              ; preds = %450
+  %456 = getelementptr inbounds i64, ptr %18, i64 %452
+  %457 = load i64, ptr %456, align 8
+  %458 = icmp eq i64 %457, 0
+  br i1 %458, label %459, label %560
 
-464:                                              ; preds = %460
-  %465 = icmp slt i64 %454, 1
-  %466 = zext i1 %465 to i32
-  br label %467
+459:                                              ; preds = %455
+  %460 = getelementptr inbounds i64, ptr %16, i64 %452
+  %461 = load i64, ptr %460, align 8
+  %462 = sitofp i64 %461 to double
+  %463 = getelementptr inbounds double, ptr %31, i64 %452
+  %464 = load double, ptr %463, align 8
+  %465 = fmul double %464, %462
+  %466 = fcmp olt double %465, 0.000000e+00
+  br i1 %466, label %467, label %560
 
-467:                                              ; preds = %444, %460, %464
-  %468 = phi i32 [ 1, %444 ], [ 0, %460 ], [ %466, %464 ]
+467:                                              ; preds = %459
+  %468 = call fastcc i32 @departs(ptr noundef %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, double noundef %352, double noundef %453, double noundef %464, i64 noundef %452) #8
   %469 = icmp eq i32 %468, 0
-  br i1 %469, label %541, label %470
+  br i1 %469, label %470, label %509
 
 470:                                              ; preds = %467
-  %471 = getelementptr inbounds double, ptr %350, i64 %447
-  %472 = load double, ptr %471, align 8
-  %473 = fcmp ogt double %472, 0.000000e+00
-  %474 = and i1 %455, %473
-  %475 = and i1 %458, %474
-  br i1 %475, label %483, label %476
-
-476:                                              ; preds = %470
-  %477 = icmp sgt i64 %450, 0
-  %478 = fcmp olt double %472, 0.000000e+00
+  %471 = load i64, ptr %460, align 8
+  %472 = load double, ptr %463, align 8
+  %473 = getelementptr inbounds i64, ptr %14, i64 %452
+  %474 = load i64, ptr %473, align 8
+  %475 = icmp slt i64 %471, 0
+  %476 = fcmp ogt double %472, 0.000000e+00
+  %477 = and i1 %475, %476
+  %478 = icmp sgt i64 %474, -1
   %479 = and i1 %477, %478
-  br i1 %479, label %480, label %483
+  br i1 %479, label %487, label %480
 
-480:                                              ; preds = %476
-  %481 = icmp slt i64 %454, 1
-  %482 = zext i1 %481 to i32
-  br label %483
+480:                                              ; preds = %470
+  %481 = icmp sgt i64 %471, 0
+  %482 = fcmp olt double %472, 0.000000e+00
+  %483 = and i1 %481, %482
+  br i1 %483, label %484, label %487
 
-483:                                              ; preds = %470, %476, %480
-  %484 = phi i32 [ 1, %470 ], [ 0, %476 ], [ %482, %480 ]
-  %485 = icmp eq i32 %484, 0
-  br i1 %485, label %486, label %541
+484:                                              ; preds = %480
+  %485 = icmp slt i64 %474, 1
+  %486 = zext i1 %485 to i32
+  br label %487
 
-486:                                              ; preds = %483
-  %487 = call fastcc double @locate(ptr noundef %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, double noundef %352, double noundef %448, i64 noundef %447) #8
-  %488 = fcmp ogt double %487, %352
-  br i1 %488, label %489, label %491
+487:                                              ; preds = %470, %480, %484
+  %488 = phi i32 [ 1, %470 ], [ 0, %480 ], [ %486, %484 ]
+  %489 = icmp eq i32 %488, 0
+  br i1 %489, label %512, label %490
 
-489:                                              ; preds = %486
-  %490 = getelementptr inbounds i64, ptr %18, i64 %447
-  store i64 2, ptr %490, align 8
-  br label %491
+490:                                              ; preds = %487
+  %491 = getelementptr inbounds double, ptr %350, i64 %452
+  %492 = load double, ptr %491, align 8
+  %493 = fcmp ogt double %492, 0.000000e+00
+  %494 = and i1 %475, %493
+  %495 = and i1 %478, %494
+  br i1 %495, label %503, label %496
 
-491:                                              ; preds = %489, %486
-  %492 = phi double [ %487, %489 ], [ %448, %486 ]
-  %493 = load ptr, ptr %207, align 8
-  %494 = load ptr, ptr %209, align 8
-  %495 = insertelement <8 x double> poison, double %492, i64 0
-  %496 = shufflevector <8 x double> %495, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %496, ptr %494, align 8
-  %497 = load ptr, ptr %208, align 8
-  %498 = load ptr, ptr %210, align 8
-  %499 = load i64, ptr %211, align 8
-  %500 = load ptr, ptr %212, align 8
-  %501 = getelementptr inbounds i8, ptr %500, i64 24
-  %502 = load i64, ptr %501, align 8
-  %503 = load ptr, ptr %209, align 8
-  %504 = load ptr, ptr %213, align 8
-  %505 = getelementptr inbounds i8, ptr %504, i64 16
-  %506 = load i64, ptr %505, align 8
-  tail call fastcc void @nested(ptr noundef %493, ptr noundef %497, ptr noundef %498, i64 noundef %499, i64 noundef %502, ptr noundef %503, i64 noundef %506) #8
-  %507 = fmul double %492, %2
-  %508 = fadd double %507, %1
-  %509 = load ptr, ptr %214, align 8
-  store double %508, ptr %509, align 8
-  %510 = load ptr, ptr %6, align 8
-  %511 = getelementptr inbounds i8, ptr %510, i64 40
-  %512 = load i64, ptr %511, align 8
-  %513 = icmp eq i64 %512, 0
-  br i1 %513, label %515, label %514
+496:                                              ; preds = %490
+  %497 = icmp sgt i64 %471, 0
+  %498 = fcmp olt double %492, 0.000000e+00
+  %499 = and i1 %497, %498
+  br i1 %499, label %500, label %503
 
-514:                                              ; preds = %491
+500:                                              ; preds = %496
+  %501 = icmp slt i64 %474, 1
+  %502 = zext i1 %501 to i32
+  br label %503
+
+503:                                              ; preds = %490, %496, %500
+  %504 = phi i32 [ 1, %490 ], [ 0, %496 ], [ %502, %500 ]
+  %505 = icmp eq i32 %504, 0
+  br i1 %505, label %506, label %512
+
+506:                                              ; preds = %503
+  %507 = call fastcc double @locate(ptr noundef %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, double noundef %352, double noundef %453, i64 noundef %452) #8
+  %508 = fcmp ogt double %507, %352
+  br i1 %508, label %509, label %512
+
+509:                                              ; preds = %506, %467
+  %510 = phi i64 [ -1, %467 ], [ 2, %506 ]
+  %511 = phi double [ %453, %467 ], [ %507, %506 ]
+  store i64 %510, ptr %456, align 8
+  br label %512
+
+512:                                              ; preds = %509, %506, %487, %503
+  %513 = phi double [ %453, %503 ], [ %453, %487 ], [ %453, %506 ], [ %511, %509 ]
+  %514 = load ptr, ptr %201, align 8
+  %515 = load ptr, ptr %243, align 8
+  %516 = insertelement <8 x double> poison, double %513, i64 0
+  %517 = shufflevector <8 x double> %516, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %517, ptr %515, align 8
+  %518 = load ptr, ptr %242, align 8
+  %519 = load ptr, ptr %244, align 8
+  %520 = load i64, ptr %245, align 8
+  %521 = load ptr, ptr %246, align 8
+  %522 = getelementptr inbounds i8, ptr %521, i64 24
+  %523 = load i64, ptr %522, align 8
+  %524 = load ptr, ptr %243, align 8
+  %525 = load ptr, ptr %247, align 8
+  %526 = getelementptr inbounds i8, ptr %525, i64 16
+  %527 = load i64, ptr %526, align 8
+  tail call fastcc void @nested(ptr noundef %514, ptr noundef %518, ptr noundef %519, i64 noundef %520, i64 noundef %523, ptr noundef %524, i64 noundef %527) #8
+  %528 = fmul double %513, %2
+  %529 = fadd double %528, %1
+  %530 = load ptr, ptr %202, align 8
+  store double %529, ptr %530, align 8
+  %531 = load ptr, ptr %6, align 8
+  %532 = getelementptr inbounds i8, ptr %531, i64 40
+  %533 = load i64, ptr %532, align 8
+  %534 = icmp eq i64 %533, 0
+  br i1 %534, label %536, label %535
+
+535:                                              ; preds = %512
   tail call fastcc void @settle(ptr noundef nonnull %6) #8
-  br label %515
+  br label %536
 
-515:                                              ; preds = %514, %491
-  %516 = load i64, ptr %215, align 8
-  %517 = icmp sgt i64 %516, 0
-  br i1 %517, label %518, label %519
+536:                                              ; preds = %535, %512
+  %537 = load i64, ptr %203, align 8
+  %538 = icmp sgt i64 %537, 0
+  br i1 %538, label %539, label %540
 
-518:                                              ; preds = %515
+539:                                              ; preds = %536
   tail call fastcc void @sample(ptr noundef nonnull %6) #8
-  br label %519
+  br label %540
 
-519:                                              ; preds = %515, %518
-  %520 = load ptr, ptr %9, align 8
-  %521 = load i64, ptr %520, align 8
-  %522 = load ptr, ptr %216, align 8
-  %523 = load ptr, ptr %207, align 8
-  %524 = load ptr, ptr %217, align 8
-  %525 = load ptr, ptr %218, align 8
-  %526 = load ptr, ptr %25, align 8
-  %527 = getelementptr inbounds i8, ptr %520, i64 8
-  %528 = load i64, ptr %527, align 8
-  %529 = getelementptr inbounds double, ptr %526, i64 %528
-  %530 = inttoptr i64 %521 to ptr
-  %531 = load ptr, ptr %530, align 8
-  %532 = tail call i32 %531(ptr noundef %522, ptr noundef %523, ptr noundef %524, ptr noundef %525, ptr noundef %529) #9
-  %533 = icmp sgt i32 %532, -1
-  br i1 %533, label %539, label %534
+540:                                              ; preds = %536, %539
+  %541 = load ptr, ptr %9, align 8
+  %542 = load i64, ptr %541, align 8
+  %543 = load ptr, ptr %204, align 8
+  %544 = load ptr, ptr %201, align 8
+  %545 = load ptr, ptr %205, align 8
+  %546 = load ptr, ptr %206, align 8
+  %547 = load ptr, ptr %25, align 8
+  %548 = getelementptr inbounds i8, ptr %541, i64 8
+  %549 = load i64, ptr %548, align 8
+  %550 = getelementptr inbounds double, ptr %547, i64 %549
+  %551 = inttoptr i64 %542 to ptr
+  %552 = load ptr, ptr %551, align 8
+  %553 = tail call i32 %552(ptr noundef %543, ptr noundef %544, ptr noundef %545, ptr noundef %546, ptr noundef %550) #9
+  %554 = icmp slt i32 %553, 0
+  br i1 %554, label %555, label %560
 
-534:                                              ; preds = %519
-  %535 = load ptr, ptr %20, align 8
-  %536 = getelementptr inbounds i8, ptr %535, i64 80
-  store i64 %23, ptr %536, align 8
-  %537 = load ptr, ptr %19, align 8
-  %538 = getelementptr inbounds i8, ptr %537, i64 48
-  store double 1.000000e+00, ptr %538, align 8
-  br label %539
+555:                                              ; preds = %540
+  %556 = load ptr, ptr %20, align 8
+  %557 = getelementptr inbounds i8, ptr %556, i64 80
+  store i64 %23, ptr %557, align 8
+  %558 = load ptr, ptr %19, align 8
+  %559 = getelementptr inbounds i8, ptr %558, i64 48
+  store double 1.000000e+00, ptr %559, align 8
+  br label %565
 
-539:                                              ; preds = %519, %534
-  %540 = phi i64 [ -4, %534 ], [ %446, %519 ]
-  br i1 %533, label %541, label %547
+560:                                              ; preds = %540, %450, %455, %459
+  %561 = phi double [ %453, %450 ], [ %453, %455 ], [ %513, %540 ], [ %453, %459 ]
+  %562 = add nuw nsw i64 %452, 1
+  %563 = icmp slt i64 %562, %12
+  %564 = icmp eq i64 %562, %12
+  br i1 %564, label %565, label %450, !llvm.loop !10
 
-541:                                              ; preds = %467, %483, %539
-  %542 = phi double [ %448, %483 ], [ %492, %539 ], [ %448, %467 ]
-  %543 = phi i64 [ %446, %483 ], [ %540, %539 ], [ %446, %467 ]
-  %544 = add nuw nsw i64 %447, 1
-  %545 = icmp slt i64 %544, %12
-  %546 = icmp eq i64 %544, %12
-  br i1 %546, label %547, label %444, !llvm.loop !10
+565:                                              ; preds = %560, %444, %555
+  %566 = phi i1 [ %451, %555 ], [ %207, %444 ], [ %563, %560 ]
+  %567 = phi i32 [ 1, %555 ], [ 16, %444 ], [ 16, %560 ]
+  %568 = phi double [ %513, %555 ], [ %355, %444 ], [ %561, %560 ]
+  %569 = phi i64 [ -4, %555 ], [ %353, %444 ], [ %353, %560 ]
+  br i1 %566, label %1002, label %570
 
-547:                                              ; preds = %539, %541, %438
-  %548 = phi i1 [ %219, %438 ], [ %445, %539 ], [ %545, %541 ]
-  %549 = phi i32 [ 16, %438 ], [ 1, %539 ], [ 16, %541 ]
-  %550 = phi double [ %355, %438 ], [ %492, %539 ], [ %542, %541 ]
-  %551 = phi i64 [ %353, %438 ], [ %540, %539 ], [ %543, %541 ]
-  br i1 %548, label %984, label %552
+570:                                              ; preds = %565
+  br i1 %208, label %579, label %571
 
-552:                                              ; preds = %547
-  br i1 %220, label %563, label %555
+571:                                              ; preds = %667, %570
+  %572 = phi i64 [ -1, %570 ], [ %668, %667 ]
+  %573 = phi i32 [ 0, %570 ], [ %669, %667 ]
+  %574 = icmp eq i32 %573, 0
+  br i1 %574, label %575, label %672
 
-553:                                              ; preds = %650
-  %554 = zext i1 %651 to i32
-  br label %555
+575:                                              ; preds = %571
+  br i1 %217, label %576, label %805
 
-555:                                              ; preds = %553, %552
-  %556 = phi i32 [ 0, %552 ], [ %554, %553 ]
-  %557 = phi i64 [ -1, %552 ], [ %640, %553 ]
-  %558 = icmp eq i32 %556, 0
-  br i1 %558, label %559, label %654
+576:                                              ; preds = %575
+  %577 = fmul double %568, %2
+  %578 = fadd double %577, %1
+  br label %933
 
-559:                                              ; preds = %555
-  br i1 %229, label %560, label %787
+579:                                              ; preds = %570, %667
+  %580 = phi i64 [ %670, %667 ], [ 0, %570 ]
+  %581 = phi i32 [ %669, %667 ], [ 0, %570 ]
+  %582 = phi i64 [ %668, %667 ], [ -1, %570 ]
+  %583 = getelementptr inbounds double, ptr %31, i64 %580
+  %584 = load double, ptr %583, align 8
+  %585 = getelementptr inbounds i64, ptr %18, i64 %580
+  %586 = load i64, ptr %585, align 8
+  %587 = icmp eq i64 %586, -1
+  br i1 %587, label %667, label %588
 
-560:                                              ; preds = %559
-  %561 = fmul double %550, %2
-  %562 = fadd double %561, %1
-  br label %915
-
-563:                                              ; preds = %552, %650
-  %564 = phi i64 [ %652, %650 ], [ 0, %552 ]
-  %565 = phi i64 [ %640, %650 ], [ -1, %552 ]
-  %566 = phi i1 [ %651, %650 ], [ false, %552 ]
-  %567 = getelementptr inbounds double, ptr %31, i64 %564
-  %568 = load double, ptr %567, align 8
-  %569 = getelementptr inbounds i64, ptr %16, i64 %564
-  %570 = load i64, ptr %569, align 8
-  %571 = getelementptr inbounds i64, ptr %14, i64 %564
-  %572 = load i64, ptr %571, align 8
-  %573 = icmp slt i64 %570, 0
-  %574 = fcmp ogt double %568, 0.000000e+00
-  %575 = and i1 %574, %573
-  %576 = icmp sgt i64 %572, -1
-  %577 = and i1 %575, %576
-  br i1 %577, label %585, label %578
-
-578:                                              ; preds = %563
-  %579 = icmp sgt i64 %570, 0
-  %580 = fcmp olt double %568, 0.000000e+00
-  %581 = and i1 %580, %579
-  br i1 %581, label %582, label %585
-
-582:                                              ; preds = %578
-  %583 = icmp slt i64 %572, 1
-  %584 = zext i1 %583 to i32
-  br label %585
-
-585:                                              ; preds = %563, %578, %582
-  %586 = phi i32 [ 1, %563 ], [ 0, %578 ], [ %584, %582 ]
-  %587 = icmp eq i32 %586, 0
-  br i1 %587, label %588, label %613
-
-588:                                              ; preds = %585
-  %589 = getelementptr inbounds double, ptr %350, i64 %564
-  %590 = load double, ptr %589, align 8
-  %591 = fcmp ogt double %590, 0.000000e+00
-  %592 = and i1 %573, %591
-  %593 = and i1 %576, %592
-  br i1 %593, label %601, label %594
-
-594:                                              ; preds = %588
-  %595 = icmp sgt i64 %570, 0
-  %596 = fcmp olt double %590, 0.000000e+00
+588:                                              ; preds = %579
+  %589 = getelementptr inbounds i64, ptr %16, i64 %580
+  %590 = load i64, ptr %589, align 8
+  %591 = getelementptr inbounds i64, ptr %14, i64 %580
+  %592 = load i64, ptr %591, align 8
+  %593 = icmp slt i64 %590, 0
+  %594 = fcmp ogt double %584, 0.000000e+00
+  %595 = and i1 %594, %593
+  %596 = icmp sgt i64 %592, -1
   %597 = and i1 %595, %596
-  br i1 %597, label %598, label %601
+  br i1 %597, label %605, label %598
 
-598:                                              ; preds = %594
-  %599 = icmp slt i64 %572, 1
-  %600 = zext i1 %599 to i32
-  br label %601
+598:                                              ; preds = %588
+  %599 = icmp sgt i64 %590, 0
+  %600 = fcmp olt double %584, 0.000000e+00
+  %601 = and i1 %600, %599
+  br i1 %601, label %602, label %605
 
-601:                                              ; preds = %588, %594, %598
-  %602 = phi i32 [ 1, %588 ], [ 0, %594 ], [ %600, %598 ]
-  %603 = icmp eq i32 %602, 0
-  br i1 %603, label %613, label %604
+602:                                              ; preds = %598
+  %603 = icmp slt i64 %592, 1
+  %604 = zext i1 %603 to i32
+  br label %605
 
-604:                                              ; preds = %601
-  %605 = fcmp oeq double %568, 0.000000e+00
-  br i1 %605, label %610, label %606
+605:                                              ; preds = %588, %598, %602
+  %606 = phi i32 [ 1, %588 ], [ 0, %598 ], [ %604, %602 ]
+  %607 = icmp eq i32 %606, 0
+  br i1 %607, label %608, label %629
 
-606:                                              ; preds = %604
-  %607 = getelementptr inbounds i64, ptr %18, i64 %564
-  %608 = load i64, ptr %607, align 8
-  %609 = icmp eq i64 %608, 1
-  br label %610
+608:                                              ; preds = %605
+  %609 = getelementptr inbounds double, ptr %350, i64 %580
+  %610 = load double, ptr %609, align 8
+  %611 = fcmp ogt double %610, 0.000000e+00
+  %612 = and i1 %593, %611
+  %613 = and i1 %596, %612
+  br i1 %613, label %621, label %614
 
-610:                                              ; preds = %606, %604
-  %611 = phi i1 [ true, %604 ], [ %609, %606 ]
-  %612 = zext i1 %611 to i32
-  br label %613
+614:                                              ; preds = %608
+  %615 = icmp sgt i64 %590, 0
+  %616 = fcmp olt double %610, 0.000000e+00
+  %617 = and i1 %615, %616
+  br i1 %617, label %618, label %621
 
-613:                                              ; preds = %610, %601, %585
-  %614 = phi i32 [ 1, %585 ], [ %612, %610 ], [ 0, %601 ]
-  %615 = icmp eq i32 %614, 0
-  br i1 %615, label %616, label %622
+618:                                              ; preds = %614
+  %619 = icmp slt i64 %592, 1
+  %620 = zext i1 %619 to i32
+  br label %621
 
-616:                                              ; preds = %613
-  %617 = getelementptr inbounds i64, ptr %18, i64 %564
-  %618 = load i64, ptr %617, align 8
-  %619 = icmp eq i64 %618, 2
-  %620 = fcmp oeq double %568, 0.000000e+00
-  %621 = and i1 %620, %619
-  br label %622
+621:                                              ; preds = %608, %614, %618
+  %622 = phi i32 [ 1, %608 ], [ 0, %614 ], [ %620, %618 ]
+  %623 = icmp eq i32 %622, 0
+  br i1 %623, label %629, label %624
 
-622:                                              ; preds = %616, %613
-  %623 = phi i1 [ true, %613 ], [ %621, %616 ]
-  br i1 %623, label %639, label %624
+624:                                              ; preds = %621
+  %625 = fcmp oeq double %584, 0.000000e+00
+  %626 = icmp eq i64 %586, 1
+  %627 = or i1 %625, %626
+  %628 = zext i1 %627 to i32
+  br label %629
 
-624:                                              ; preds = %622
-  %625 = getelementptr inbounds double, ptr %350, i64 %564
-  %626 = load double, ptr %625, align 8
-  %627 = icmp eq i64 %570, 0
-  %628 = fcmp ord double %626, 0.000000e+00
-  %629 = or i1 %627, %628
-  br i1 %629, label %639, label %630
+629:                                              ; preds = %624, %621, %605
+  %630 = phi i32 [ 1, %605 ], [ %628, %624 ], [ 0, %621 ]
+  %631 = icmp eq i32 %630, 0
+  br i1 %631, label %632, label %636
 
-630:                                              ; preds = %624
-  %631 = sitofp i64 %570 to double
-  %632 = fmul double %568, %631
-  %633 = fcmp olt double %632, 0.000000e+00
-  br i1 %633, label %634, label %636
+632:                                              ; preds = %629
+  %633 = icmp eq i64 %586, 2
+  %634 = fcmp oeq double %584, 0.000000e+00
+  %635 = select i1 %633, i1 %634, i1 false
+  br label %636
 
-634:                                              ; preds = %630
-  %635 = sub nsw i64 0, %570
-  store i64 %635, ptr %569, align 8
-  br label %639
+636:                                              ; preds = %632, %629
+  %637 = phi i1 [ true, %629 ], [ %635, %632 ]
+  br i1 %637, label %653, label %638
 
-636:                                              ; preds = %630
-  %637 = fcmp ueq double %568, 0.000000e+00
-  %638 = select i1 %637, i64 %564, i64 %565
-  br label %639
+638:                                              ; preds = %636
+  %639 = getelementptr inbounds double, ptr %350, i64 %580
+  %640 = load double, ptr %639, align 8
+  %641 = icmp eq i64 %590, 0
+  %642 = fcmp ord double %640, 0.000000e+00
+  %643 = or i1 %641, %642
+  br i1 %643, label %653, label %644
 
-639:                                              ; preds = %636, %634, %624, %622
-  %640 = phi i64 [ %565, %622 ], [ %565, %634 ], [ %565, %624 ], [ %638, %636 ]
-  %641 = zext i1 %623 to i64
-  %642 = getelementptr inbounds i64, ptr %18, i64 %564
-  store i64 %641, ptr %642, align 8
-  %643 = xor i1 %623, true
-  %644 = or i1 %566, %643
-  br i1 %644, label %650, label %645
+644:                                              ; preds = %638
+  %645 = sitofp i64 %590 to double
+  %646 = fmul double %584, %645
+  %647 = fcmp olt double %646, 0.000000e+00
+  br i1 %647, label %648, label %650
 
-645:                                              ; preds = %639
-  %646 = load ptr, ptr %221, align 8
-  %647 = getelementptr inbounds i64, ptr %646, i64 %564
-  %648 = load i64, ptr %647, align 8
-  %649 = icmp eq i64 %648, 1
-  br label %650
+648:                                              ; preds = %644
+  %649 = sub nsw i64 0, %590
+  store i64 %649, ptr %589, align 8
+  br label %653
 
-650:                                              ; preds = %639, %645
-  %651 = phi i1 [ %566, %639 ], [ %649, %645 ]
-  %652 = add nuw nsw i64 %564, 1
-  %653 = icmp eq i64 %652, %12
-  br i1 %653, label %553, label %563, !llvm.loop !11
+650:                                              ; preds = %644
+  %651 = fcmp ueq double %584, 0.000000e+00
+  %652 = select i1 %651, i64 %580, i64 %582
+  br label %653
 
-654:                                              ; preds = %555
-  store double %550, ptr %222, align 8
-  %655 = load ptr, ptr %9, align 8
-  %656 = getelementptr inbounds i8, ptr %655, i64 8
-  %657 = load i64, ptr %656, align 8
-  %658 = load ptr, ptr %25, align 8
-  %659 = getelementptr inbounds double, ptr %658, i64 %657
-  %660 = mul i64 %657, 56
-  %661 = getelementptr inbounds i8, ptr %658, i64 %660
-  %662 = load ptr, ptr %223, align 8
-  %663 = load i64, ptr %224, align 8
-  %664 = getelementptr double, ptr %662, i64 %663
-  %665 = getelementptr i8, ptr %664, i64 -8
-  %666 = load double, ptr %665, align 8
-  %667 = load double, ptr %662, align 8
-  %668 = fsub double %666, %667
-  %669 = icmp sgt i64 %657, 0
-  br i1 %669, label %673, label %670
+653:                                              ; preds = %650, %648, %638, %636
+  %654 = phi i64 [ %582, %636 ], [ %582, %648 ], [ %582, %638 ], [ %652, %650 ]
+  %655 = zext i1 %637 to i64
+  store i64 %655, ptr %585, align 8
+  %656 = icmp ne i32 %581, 0
+  %657 = xor i1 %637, true
+  %658 = or i1 %656, %657
+  br i1 %658, label %664, label %659
 
-670:                                              ; preds = %686, %654
-  %671 = phi i32 [ 0, %654 ], [ %688, %686 ]
-  %672 = icmp eq i32 %671, 0
-  br i1 %672, label %984, label %691
+659:                                              ; preds = %653
+  %660 = load ptr, ptr %209, align 8
+  %661 = getelementptr inbounds i64, ptr %660, i64 %580
+  %662 = load i64, ptr %661, align 8
+  %663 = icmp eq i64 %662, 1
+  br label %664
 
-673:                                              ; preds = %654, %686
-  %674 = phi i64 [ %689, %686 ], [ 0, %654 ]
-  %675 = phi i32 [ %688, %686 ], [ 0, %654 ]
-  %676 = icmp eq i32 %675, 0
-  br i1 %676, label %677, label %686
+664:                                              ; preds = %653, %659
+  %665 = phi i1 [ %656, %653 ], [ %663, %659 ]
+  %666 = zext i1 %665 to i32
+  br label %667
 
-677:                                              ; preds = %673
-  %678 = load ptr, ptr %17, align 8
-  %679 = getelementptr inbounds i64, ptr %678, i64 %674
-  %680 = load i64, ptr %679, align 8
-  %681 = icmp eq i64 %680, 0
-  br i1 %681, label %686, label %682
+667:                                              ; preds = %579, %664
+  %668 = phi i64 [ %654, %664 ], [ %582, %579 ]
+  %669 = phi i32 [ %666, %664 ], [ %581, %579 ]
+  %670 = add nuw nsw i64 %580, 1
+  %671 = icmp eq i64 %670, %12
+  br i1 %671, label %571, label %579, !llvm.loop !11
 
-682:                                              ; preds = %677
-  %683 = getelementptr inbounds double, ptr %659, i64 %674
+672:                                              ; preds = %571
+  store double %568, ptr %210, align 8
+  %673 = load ptr, ptr %9, align 8
+  %674 = getelementptr inbounds i8, ptr %673, i64 8
+  %675 = load i64, ptr %674, align 8
+  %676 = load ptr, ptr %25, align 8
+  %677 = getelementptr inbounds double, ptr %676, i64 %675
+  %678 = mul i64 %675, 56
+  %679 = getelementptr inbounds i8, ptr %676, i64 %678
+  %680 = load ptr, ptr %211, align 8
+  %681 = load i64, ptr %212, align 8
+  %682 = getelementptr double, ptr %680, i64 %681
+  %683 = getelementptr i8, ptr %682, i64 -8
   %684 = load double, ptr %683, align 8
-  %685 = fcmp oeq double %684, 0.000000e+00
-  br label %686
+  %685 = load double, ptr %680, align 8
+  %686 = fsub double %684, %685
+  %687 = icmp sgt i64 %675, 0
+  br i1 %687, label %691, label %688
 
-686:                                              ; preds = %682, %677, %673
-  %687 = phi i1 [ true, %673 ], [ false, %677 ], [ %685, %682 ]
-  %688 = zext i1 %687 to i32
-  %689 = add nuw nsw i64 %674, 1
-  %690 = icmp eq i64 %689, %657
-  br i1 %690, label %670, label %673, !llvm.loop !12
+688:                                              ; preds = %704, %672
+  %689 = phi i32 [ 0, %672 ], [ %706, %704 ]
+  %690 = icmp eq i32 %689, 0
+  br i1 %690, label %1002, label %709
 
-691:                                              ; preds = %670
-  %692 = fsub double %349, %550
-  %693 = fmul double %692, %2
-  %694 = fcmp ogt double %226, %668
-  %695 = select i1 %694, double %226, double %668
-  %696 = fmul double %695, 0x3F50000000000000
-  %697 = fcmp ugt double %693, %696
-  br i1 %697, label %698, label %984
+691:                                              ; preds = %672, %704
+  %692 = phi i64 [ %707, %704 ], [ 0, %672 ]
+  %693 = phi i32 [ %706, %704 ], [ 0, %672 ]
+  %694 = icmp eq i32 %693, 0
+  br i1 %694, label %695, label %704
 
-698:                                              ; preds = %691
-  %699 = fmul double %692, 0x3F50000000000000
-  %700 = fadd double %550, %699
-  %701 = load ptr, ptr %207, align 8
-  %702 = load ptr, ptr %209, align 8
-  %703 = insertelement <8 x double> poison, double %700, i64 0
-  %704 = shufflevector <8 x double> %703, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %704, ptr %702, align 8
-  %705 = load ptr, ptr %208, align 8
-  %706 = load ptr, ptr %210, align 8
-  %707 = load i64, ptr %211, align 8
-  %708 = load ptr, ptr %212, align 8
-  %709 = getelementptr inbounds i8, ptr %708, i64 24
-  %710 = load i64, ptr %709, align 8
-  %711 = load ptr, ptr %209, align 8
-  %712 = load ptr, ptr %213, align 8
-  %713 = getelementptr inbounds i8, ptr %712, i64 16
-  %714 = load i64, ptr %713, align 8
-  tail call fastcc void @nested(ptr noundef %701, ptr noundef %705, ptr noundef %706, i64 noundef %707, i64 noundef %710, ptr noundef %711, i64 noundef %714) #8
-  %715 = fmul double %700, %2
-  %716 = fadd double %715, %1
-  %717 = load ptr, ptr %214, align 8
-  store double %716, ptr %717, align 8
-  %718 = load ptr, ptr %6, align 8
-  %719 = getelementptr inbounds i8, ptr %718, i64 40
-  %720 = load i64, ptr %719, align 8
-  %721 = icmp eq i64 %720, 0
-  br i1 %721, label %723, label %722
+695:                                              ; preds = %691
+  %696 = load ptr, ptr %17, align 8
+  %697 = getelementptr inbounds i64, ptr %696, i64 %692
+  %698 = load i64, ptr %697, align 8
+  %699 = icmp sgt i64 %698, 0
+  br i1 %699, label %700, label %704
 
-722:                                              ; preds = %698
+700:                                              ; preds = %695
+  %701 = getelementptr inbounds double, ptr %677, i64 %692
+  %702 = load double, ptr %701, align 8
+  %703 = fcmp oeq double %702, 0.000000e+00
+  br label %704
+
+704:                                              ; preds = %700, %695, %691
+  %705 = phi i1 [ true, %691 ], [ false, %695 ], [ %703, %700 ]
+  %706 = zext i1 %705 to i32
+  %707 = add nuw nsw i64 %692, 1
+  %708 = icmp eq i64 %707, %675
+  br i1 %708, label %688, label %691, !llvm.loop !12
+
+709:                                              ; preds = %688
+  %710 = fsub double %349, %568
+  %711 = fmul double %710, %2
+  %712 = fcmp ogt double %214, %686
+  %713 = select i1 %712, double %214, double %686
+  %714 = fmul double %713, 0x3F50000000000000
+  %715 = fcmp ugt double %711, %714
+  br i1 %715, label %716, label %1002
+
+716:                                              ; preds = %709
+  %717 = fmul double %710, 0x3F50000000000000
+  %718 = fadd double %568, %717
+  %719 = load ptr, ptr %201, align 8
+  %720 = load ptr, ptr %243, align 8
+  %721 = insertelement <8 x double> poison, double %718, i64 0
+  %722 = shufflevector <8 x double> %721, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %722, ptr %720, align 8
+  %723 = load ptr, ptr %242, align 8
+  %724 = load ptr, ptr %244, align 8
+  %725 = load i64, ptr %245, align 8
+  %726 = load ptr, ptr %246, align 8
+  %727 = getelementptr inbounds i8, ptr %726, i64 24
+  %728 = load i64, ptr %727, align 8
+  %729 = load ptr, ptr %243, align 8
+  %730 = load ptr, ptr %247, align 8
+  %731 = getelementptr inbounds i8, ptr %730, i64 16
+  %732 = load i64, ptr %731, align 8
+  tail call fastcc void @nested(ptr noundef %719, ptr noundef %723, ptr noundef %724, i64 noundef %725, i64 noundef %728, ptr noundef %729, i64 noundef %732) #8
+  %733 = fmul double %718, %2
+  %734 = fadd double %733, %1
+  %735 = load ptr, ptr %202, align 8
+  store double %734, ptr %735, align 8
+  %736 = load ptr, ptr %6, align 8
+  %737 = getelementptr inbounds i8, ptr %736, i64 40
+  %738 = load i64, ptr %737, align 8
+  %739 = icmp eq i64 %738, 0
+  br i1 %739, label %741, label %740
+
+740:                                              ; preds = %716
   tail call fastcc void @settle(ptr noundef nonnull %6) #8
-  br label %723
+  br label %741
 
-723:                                              ; preds = %722, %698
-  %724 = load i64, ptr %215, align 8
-  %725 = icmp sgt i64 %724, 0
-  br i1 %725, label %726, label %727
+741:                                              ; preds = %740, %716
+  %742 = load i64, ptr %203, align 8
+  %743 = icmp sgt i64 %742, 0
+  br i1 %743, label %744, label %745
 
-726:                                              ; preds = %723
+744:                                              ; preds = %741
   tail call fastcc void @sample(ptr noundef nonnull %6) #8
-  br label %727
+  br label %745
 
-727:                                              ; preds = %723, %726
-  %728 = load ptr, ptr %9, align 8
-  %729 = load i64, ptr %728, align 8
-  %730 = load ptr, ptr %216, align 8
-  %731 = load ptr, ptr %207, align 8
-  %732 = load ptr, ptr %217, align 8
-  %733 = load ptr, ptr %218, align 8
-  %734 = load ptr, ptr %25, align 8
-  %735 = getelementptr inbounds i8, ptr %728, i64 8
-  %736 = load i64, ptr %735, align 8
-  %737 = mul i64 %736, 56
-  %738 = getelementptr inbounds i8, ptr %734, i64 %737
-  %739 = inttoptr i64 %729 to ptr
-  %740 = load ptr, ptr %739, align 8
-  %741 = tail call i32 %740(ptr noundef %730, ptr noundef %731, ptr noundef %732, ptr noundef %733, ptr noundef %738) #9
-  %742 = icmp slt i32 %741, 0
-  br i1 %742, label %782, label %743
+745:                                              ; preds = %741, %744
+  %746 = load ptr, ptr %9, align 8
+  %747 = load i64, ptr %746, align 8
+  %748 = load ptr, ptr %204, align 8
+  %749 = load ptr, ptr %201, align 8
+  %750 = load ptr, ptr %205, align 8
+  %751 = load ptr, ptr %206, align 8
+  %752 = load ptr, ptr %25, align 8
+  %753 = getelementptr inbounds i8, ptr %746, i64 8
+  %754 = load i64, ptr %753, align 8
+  %755 = mul i64 %754, 56
+  %756 = getelementptr inbounds i8, ptr %752, i64 %755
+  %757 = inttoptr i64 %747 to ptr
+  %758 = load ptr, ptr %757, align 8
+  %759 = tail call i32 %758(ptr noundef %748, ptr noundef %749, ptr noundef %750, ptr noundef %751, ptr noundef %756) #9
+  %760 = icmp slt i32 %759, 0
+  br i1 %760, label %800, label %761
 
-743:                                              ; preds = %727
-  %744 = icmp sgt i64 %657, 0
-  br i1 %744, label %745, label %984
+761:                                              ; preds = %745
+  %762 = icmp sgt i64 %675, 0
+  br i1 %762, label %763, label %1002
 
-745:                                              ; preds = %743
-  %746 = fmul double %550, %2
-  %747 = fadd double %746, %1
-  %748 = fsub double %747, %747
-  br label %749
+763:                                              ; preds = %761
+  %764 = fmul double %568, %2
+  %765 = fadd double %764, %1
+  %766 = fsub double %765, %765
+  br label %767
 
-749:                                              ; preds = %745, %779
-  %750 = phi i64 [ 0, %745 ], [ %780, %779 ]
-  %751 = load ptr, ptr %17, align 8
-  %752 = getelementptr inbounds i64, ptr %751, i64 %750
-  %753 = load i64, ptr %752, align 8
-  %754 = icmp eq i64 %753, 0
-  br i1 %754, label %779, label %755
+767:                                              ; preds = %763, %797
+  %768 = phi i64 [ 0, %763 ], [ %798, %797 ]
+  %769 = load ptr, ptr %17, align 8
+  %770 = getelementptr inbounds i64, ptr %769, i64 %768
+  %771 = load i64, ptr %770, align 8
+  %772 = icmp sgt i64 %771, 0
+  br i1 %772, label %773, label %797
 
-755:                                              ; preds = %749
-  %756 = getelementptr inbounds double, ptr %659, i64 %750
-  %757 = load double, ptr %756, align 8
-  %758 = fcmp oeq double %757, 0.000000e+00
-  br i1 %758, label %759, label %779
-
-759:                                              ; preds = %755
-  %760 = getelementptr inbounds double, ptr %661, i64 %750
-  %761 = load double, ptr %760, align 8
-  %762 = fcmp oeq double %761, 0.000000e+00
-  br i1 %762, label %763, label %779
-
-763:                                              ; preds = %759
-  %764 = load i64, ptr %227, align 8
-  %765 = icmp eq i64 %764, 0
-  br i1 %765, label %779, label %766
-
-766:                                              ; preds = %763
-  %767 = load ptr, ptr %228, align 8
-  %768 = shl nsw i64 %750, 4
-  %769 = getelementptr inbounds i8, ptr %767, i64 %768
-  %770 = getelementptr inbounds i8, ptr %769, i64 8
-  %771 = load double, ptr %770, align 8
-  %772 = fcmp oeq double %771, %747
-  br i1 %772, label %778, label %773
-
-773:                                              ; preds = %766
-  %774 = load double, ptr %769, align 8
-  %775 = fsub double %771, %774
-  %776 = fcmp ult double %775, %748
-  br i1 %776, label %777, label %779
+773:                                              ; preds = %767
+  %774 = getelementptr inbounds double, ptr %677, i64 %768
+  %775 = load double, ptr %774, align 8
+  %776 = fcmp oeq double %775, 0.000000e+00
+  br i1 %776, label %777, label %797
 
 777:                                              ; preds = %773
-  store double %747, ptr %769, align 8
-  br label %778
+  %778 = getelementptr inbounds double, ptr %679, i64 %768
+  %779 = load double, ptr %778, align 8
+  %780 = fcmp oeq double %779, 0.000000e+00
+  br i1 %780, label %781, label %797
 
-778:                                              ; preds = %766, %777
-  store double %747, ptr %770, align 8
-  br label %779
+781:                                              ; preds = %777
+  %782 = load i64, ptr %215, align 8
+  %783 = icmp eq i64 %782, 0
+  br i1 %783, label %797, label %784
 
-779:                                              ; preds = %778, %773, %763, %759, %755, %749
-  %780 = add nuw nsw i64 %750, 1
-  %781 = icmp eq i64 %780, %657
-  br i1 %781, label %984, label %749, !llvm.loop !13
+784:                                              ; preds = %781
+  %785 = load ptr, ptr %216, align 8
+  %786 = shl nsw i64 %768, 4
+  %787 = getelementptr inbounds i8, ptr %785, i64 %786
+  %788 = getelementptr inbounds i8, ptr %787, i64 8
+  %789 = load double, ptr %788, align 8
+  %790 = fcmp oeq double %789, %765
+  br i1 %790, label %796, label %791
 
-782:                                              ; preds = %727
-  %783 = load ptr, ptr %20, align 8
-  %784 = getelementptr inbounds i8, ptr %783, i64 80
-  store i64 %23, ptr %784, align 8
-  %785 = load ptr, ptr %19, align 8
-  %786 = getelementptr inbounds i8, ptr %785, i64 48
-  store double 1.000000e+00, ptr %786, align 8
-  br label %984
+791:                                              ; preds = %784
+  %792 = load double, ptr %787, align 8
+  %793 = fsub double %789, %792
+  %794 = fcmp ult double %793, %766
+  br i1 %794, label %795, label %797
 
-787:                                              ; preds = %957, %559
-  %788 = load ptr, ptr %9, align 8
-  %789 = getelementptr inbounds i8, ptr %788, i64 8
-  %790 = load i64, ptr %789, align 8
-  %791 = load ptr, ptr %25, align 8
-  %792 = getelementptr inbounds double, ptr %791, i64 %790
-  %793 = mul i64 %790, 56
-  %794 = getelementptr inbounds i8, ptr %791, i64 %793
-  %795 = load ptr, ptr %235, align 8
-  %796 = load i64, ptr %236, align 8
-  %797 = getelementptr double, ptr %795, i64 %796
-  %798 = getelementptr i8, ptr %797, i64 -8
-  %799 = load double, ptr %798, align 8
-  %800 = load double, ptr %795, align 8
-  %801 = fsub double %799, %800
-  %802 = icmp sgt i64 %790, 0
-  br i1 %802, label %806, label %803
+795:                                              ; preds = %791
+  store double %765, ptr %787, align 8
+  br label %796
 
-803:                                              ; preds = %819, %787
-  %804 = phi i32 [ 0, %787 ], [ %821, %819 ]
-  %805 = icmp eq i32 %804, 0
-  br i1 %805, label %965, label %824
+796:                                              ; preds = %784, %795
+  store double %765, ptr %788, align 8
+  br label %797
 
-806:                                              ; preds = %787, %819
-  %807 = phi i64 [ %822, %819 ], [ 0, %787 ]
-  %808 = phi i32 [ %821, %819 ], [ 0, %787 ]
-  %809 = icmp eq i32 %808, 0
-  br i1 %809, label %810, label %819
+797:                                              ; preds = %796, %791, %781, %777, %773, %767
+  %798 = add nuw nsw i64 %768, 1
+  %799 = icmp eq i64 %798, %675
+  br i1 %799, label %1002, label %767, !llvm.loop !13
 
-810:                                              ; preds = %806
-  %811 = load ptr, ptr %17, align 8
-  %812 = getelementptr inbounds i64, ptr %811, i64 %807
-  %813 = load i64, ptr %812, align 8
-  %814 = icmp eq i64 %813, 0
-  br i1 %814, label %819, label %815
+800:                                              ; preds = %745
+  %801 = load ptr, ptr %20, align 8
+  %802 = getelementptr inbounds i8, ptr %801, i64 80
+  store i64 %23, ptr %802, align 8
+  %803 = load ptr, ptr %19, align 8
+  %804 = getelementptr inbounds i8, ptr %803, i64 48
+  store double 1.000000e+00, ptr %804, align 8
+  br label %1002
 
-815:                                              ; preds = %810
-  %816 = getelementptr inbounds double, ptr %792, i64 %807
+805:                                              ; preds = %975, %575
+  %806 = load ptr, ptr %9, align 8
+  %807 = getelementptr inbounds i8, ptr %806, i64 8
+  %808 = load i64, ptr %807, align 8
+  %809 = load ptr, ptr %25, align 8
+  %810 = getelementptr inbounds double, ptr %809, i64 %808
+  %811 = mul i64 %808, 56
+  %812 = getelementptr inbounds i8, ptr %809, i64 %811
+  %813 = load ptr, ptr %223, align 8
+  %814 = load i64, ptr %224, align 8
+  %815 = getelementptr double, ptr %813, i64 %814
+  %816 = getelementptr i8, ptr %815, i64 -8
   %817 = load double, ptr %816, align 8
-  %818 = fcmp oeq double %817, 0.000000e+00
-  br label %819
+  %818 = load double, ptr %813, align 8
+  %819 = fsub double %817, %818
+  %820 = icmp sgt i64 %808, 0
+  br i1 %820, label %824, label %821
 
-819:                                              ; preds = %815, %810, %806
-  %820 = phi i1 [ true, %806 ], [ false, %810 ], [ %818, %815 ]
-  %821 = zext i1 %820 to i32
-  %822 = add nuw nsw i64 %807, 1
-  %823 = icmp eq i64 %822, %790
-  br i1 %823, label %803, label %806, !llvm.loop !12
+821:                                              ; preds = %837, %805
+  %822 = phi i32 [ 0, %805 ], [ %839, %837 ]
+  %823 = icmp eq i32 %822, 0
+  br i1 %823, label %983, label %842
 
-824:                                              ; preds = %803
-  %825 = fsub double %349, %550
-  %826 = fmul double %825, %2
-  %827 = fcmp ogt double %238, %801
-  %828 = select i1 %827, double %238, double %801
-  %829 = fmul double %828, 0x3F50000000000000
-  %830 = fcmp ugt double %826, %829
-  br i1 %830, label %831, label %965
+824:                                              ; preds = %805, %837
+  %825 = phi i64 [ %840, %837 ], [ 0, %805 ]
+  %826 = phi i32 [ %839, %837 ], [ 0, %805 ]
+  %827 = icmp eq i32 %826, 0
+  br i1 %827, label %828, label %837
 
-831:                                              ; preds = %824
-  %832 = fmul double %825, 0x3F50000000000000
-  %833 = fadd double %550, %832
-  %834 = load ptr, ptr %207, align 8
-  %835 = load ptr, ptr %209, align 8
-  %836 = insertelement <8 x double> poison, double %833, i64 0
-  %837 = shufflevector <8 x double> %836, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %837, ptr %835, align 8
-  %838 = load ptr, ptr %208, align 8
-  %839 = load ptr, ptr %210, align 8
-  %840 = load i64, ptr %211, align 8
-  %841 = load ptr, ptr %212, align 8
-  %842 = getelementptr inbounds i8, ptr %841, i64 24
-  %843 = load i64, ptr %842, align 8
-  %844 = load ptr, ptr %209, align 8
-  %845 = load ptr, ptr %213, align 8
-  %846 = getelementptr inbounds i8, ptr %845, i64 16
-  %847 = load i64, ptr %846, align 8
-  tail call fastcc void @nested(ptr noundef %834, ptr noundef %838, ptr noundef %839, i64 noundef %840, i64 noundef %843, ptr noundef %844, i64 noundef %847) #8
-  %848 = fmul double %833, %2
-  %849 = fadd double %848, %1
-  %850 = load ptr, ptr %214, align 8
-  store double %849, ptr %850, align 8
-  %851 = load ptr, ptr %6, align 8
-  %852 = getelementptr inbounds i8, ptr %851, i64 40
-  %853 = load i64, ptr %852, align 8
-  %854 = icmp eq i64 %853, 0
-  br i1 %854, label %856, label %855
+828:                                              ; preds = %824
+  %829 = load ptr, ptr %17, align 8
+  %830 = getelementptr inbounds i64, ptr %829, i64 %825
+  %831 = load i64, ptr %830, align 8
+  %832 = icmp sgt i64 %831, 0
+  br i1 %832, label %833, label %837
 
-855:                                              ; preds = %831
+833:                                              ; preds = %828
+  %834 = getelementptr inbounds double, ptr %810, i64 %825
+  %835 = load double, ptr %834, align 8
+  %836 = fcmp oeq double %835, 0.000000e+00
+  br label %837
+
+837:                                              ; preds = %833, %828, %824
+  %838 = phi i1 [ true, %824 ], [ false, %828 ], [ %836, %833 ]
+  %839 = zext i1 %838 to i32
+  %840 = add nuw nsw i64 %825, 1
+  %841 = icmp eq i64 %840, %808
+  br i1 %841, label %821, label %824, !llvm.loop !12
+
+842:                                              ; preds = %821
+  %843 = fsub double %349, %568
+  %844 = fmul double %843, %2
+  %845 = fcmp ogt double %226, %819
+  %846 = select i1 %845, double %226, double %819
+  %847 = fmul double %846, 0x3F50000000000000
+  %848 = fcmp ugt double %844, %847
+  br i1 %848, label %849, label %983
+
+849:                                              ; preds = %842
+  %850 = fmul double %843, 0x3F50000000000000
+  %851 = fadd double %568, %850
+  %852 = load ptr, ptr %201, align 8
+  %853 = load ptr, ptr %243, align 8
+  %854 = insertelement <8 x double> poison, double %851, i64 0
+  %855 = shufflevector <8 x double> %854, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %855, ptr %853, align 8
+  %856 = load ptr, ptr %242, align 8
+  %857 = load ptr, ptr %244, align 8
+  %858 = load i64, ptr %245, align 8
+  %859 = load ptr, ptr %246, align 8
+  %860 = getelementptr inbounds i8, ptr %859, i64 24
+  %861 = load i64, ptr %860, align 8
+  %862 = load ptr, ptr %243, align 8
+  %863 = load ptr, ptr %247, align 8
+  %864 = getelementptr inbounds i8, ptr %863, i64 16
+  %865 = load i64, ptr %864, align 8
+  tail call fastcc void @nested(ptr noundef %852, ptr noundef %856, ptr noundef %857, i64 noundef %858, i64 noundef %861, ptr noundef %862, i64 noundef %865) #8
+  %866 = fmul double %851, %2
+  %867 = fadd double %866, %1
+  %868 = load ptr, ptr %202, align 8
+  store double %867, ptr %868, align 8
+  %869 = load ptr, ptr %6, align 8
+  %870 = getelementptr inbounds i8, ptr %869, i64 40
+  %871 = load i64, ptr %870, align 8
+  %872 = icmp eq i64 %871, 0
+  br i1 %872, label %874, label %873
+
+873:                                              ; preds = %849
   tail call fastcc void @settle(ptr noundef nonnull %6) #8
-  br label %856
+  br label %874
 
-856:                                              ; preds = %855, %831
-  %857 = load i64, ptr %215, align 8
-  %858 = icmp sgt i64 %857, 0
-  br i1 %858, label %859, label %860
+874:                                              ; preds = %873, %849
+  %875 = load i64, ptr %203, align 8
+  %876 = icmp sgt i64 %875, 0
+  br i1 %876, label %877, label %878
 
-859:                                              ; preds = %856
+877:                                              ; preds = %874
   tail call fastcc void @sample(ptr noundef nonnull %6) #8
-  br label %860
+  br label %878
 
-860:                                              ; preds = %856, %859
-  %861 = load ptr, ptr %9, align 8
-  %862 = load i64, ptr %861, align 8
-  %863 = load ptr, ptr %216, align 8
-  %864 = load ptr, ptr %207, align 8
-  %865 = load ptr, ptr %217, align 8
-  %866 = load ptr, ptr %218, align 8
-  %867 = load ptr, ptr %25, align 8
-  %868 = getelementptr inbounds i8, ptr %861, i64 8
-  %869 = load i64, ptr %868, align 8
-  %870 = mul i64 %869, 56
-  %871 = getelementptr inbounds i8, ptr %867, i64 %870
-  %872 = inttoptr i64 %862 to ptr
-  %873 = load ptr, ptr %872, align 8
-  %874 = tail call i32 %873(ptr noundef %863, ptr noundef %864, ptr noundef %865, ptr noundef %866, ptr noundef %871) #9
-  %875 = icmp slt i32 %874, 0
-  br i1 %875, label %960, label %876
+878:                                              ; preds = %874, %877
+  %879 = load ptr, ptr %9, align 8
+  %880 = load i64, ptr %879, align 8
+  %881 = load ptr, ptr %204, align 8
+  %882 = load ptr, ptr %201, align 8
+  %883 = load ptr, ptr %205, align 8
+  %884 = load ptr, ptr %206, align 8
+  %885 = load ptr, ptr %25, align 8
+  %886 = getelementptr inbounds i8, ptr %879, i64 8
+  %887 = load i64, ptr %886, align 8
+  %888 = mul i64 %887, 56
+  %889 = getelementptr inbounds i8, ptr %885, i64 %888
+  %890 = inttoptr i64 %880 to ptr
+  %891 = load ptr, ptr %890, align 8
+  %892 = tail call i32 %891(ptr noundef %881, ptr noundef %882, ptr noundef %883, ptr noundef %884, ptr noundef %889) #9
+  %893 = icmp slt i32 %892, 0
+  br i1 %893, label %978, label %894
 
-876:                                              ; preds = %860
-  %877 = icmp sgt i64 %790, 0
-  br i1 %877, label %878, label %965
+894:                                              ; preds = %878
+  %895 = icmp sgt i64 %808, 0
+  br i1 %895, label %896, label %983
 
-878:                                              ; preds = %876
-  %879 = fmul double %550, %2
-  %880 = fadd double %879, %1
-  %881 = fsub double %880, %880
-  br label %882
+896:                                              ; preds = %894
+  %897 = fmul double %568, %2
+  %898 = fadd double %897, %1
+  %899 = fsub double %898, %898
+  br label %900
 
-882:                                              ; preds = %878, %912
-  %883 = phi i64 [ 0, %878 ], [ %913, %912 ]
-  %884 = load ptr, ptr %17, align 8
-  %885 = getelementptr inbounds i64, ptr %884, i64 %883
-  %886 = load i64, ptr %885, align 8
-  %887 = icmp eq i64 %886, 0
-  br i1 %887, label %912, label %888
+900:                                              ; preds = %896, %930
+  %901 = phi i64 [ 0, %896 ], [ %931, %930 ]
+  %902 = load ptr, ptr %17, align 8
+  %903 = getelementptr inbounds i64, ptr %902, i64 %901
+  %904 = load i64, ptr %903, align 8
+  %905 = icmp sgt i64 %904, 0
+  br i1 %905, label %906, label %930
 
-888:                                              ; preds = %882
-  %889 = getelementptr inbounds double, ptr %792, i64 %883
-  %890 = load double, ptr %889, align 8
-  %891 = fcmp oeq double %890, 0.000000e+00
-  br i1 %891, label %892, label %912
-
-892:                                              ; preds = %888
-  %893 = getelementptr inbounds double, ptr %794, i64 %883
-  %894 = load double, ptr %893, align 8
-  %895 = fcmp oeq double %894, 0.000000e+00
-  br i1 %895, label %896, label %912
-
-896:                                              ; preds = %892
-  %897 = load i64, ptr %239, align 8
-  %898 = icmp eq i64 %897, 0
-  br i1 %898, label %912, label %899
-
-899:                                              ; preds = %896
-  %900 = load ptr, ptr %240, align 8
-  %901 = shl nsw i64 %883, 4
-  %902 = getelementptr inbounds i8, ptr %900, i64 %901
-  %903 = getelementptr inbounds i8, ptr %902, i64 8
-  %904 = load double, ptr %903, align 8
-  %905 = fcmp oeq double %904, %880
-  br i1 %905, label %911, label %906
-
-906:                                              ; preds = %899
-  %907 = load double, ptr %902, align 8
-  %908 = fsub double %904, %907
-  %909 = fcmp ult double %908, %881
-  br i1 %909, label %910, label %912
+906:                                              ; preds = %900
+  %907 = getelementptr inbounds double, ptr %810, i64 %901
+  %908 = load double, ptr %907, align 8
+  %909 = fcmp oeq double %908, 0.000000e+00
+  br i1 %909, label %910, label %930
 
 910:                                              ; preds = %906
-  store double %880, ptr %902, align 8
-  br label %911
+  %911 = getelementptr inbounds double, ptr %812, i64 %901
+  %912 = load double, ptr %911, align 8
+  %913 = fcmp oeq double %912, 0.000000e+00
+  br i1 %913, label %914, label %930
 
-911:                                              ; preds = %899, %910
-  store double %880, ptr %903, align 8
-  br label %912
+914:                                              ; preds = %910
+  %915 = load i64, ptr %227, align 8
+  %916 = icmp eq i64 %915, 0
+  br i1 %916, label %930, label %917
 
-912:                                              ; preds = %911, %906, %896, %892, %888, %882
-  %913 = add nuw nsw i64 %883, 1
-  %914 = icmp eq i64 %913, %790
-  br i1 %914, label %965, label %882, !llvm.loop !13
+917:                                              ; preds = %914
+  %918 = load ptr, ptr %228, align 8
+  %919 = shl nsw i64 %901, 4
+  %920 = getelementptr inbounds i8, ptr %918, i64 %919
+  %921 = getelementptr inbounds i8, ptr %920, i64 8
+  %922 = load double, ptr %921, align 8
+  %923 = fcmp oeq double %922, %898
+  br i1 %923, label %929, label %924
 
-915:                                              ; preds = %560, %957
-  %916 = phi i64 [ 0, %560 ], [ %958, %957 ]
-  %917 = getelementptr inbounds i64, ptr %18, i64 %916
-  %918 = load i64, ptr %917, align 8
-  %919 = icmp eq i64 %918, 0
-  br i1 %919, label %957, label %920
+924:                                              ; preds = %917
+  %925 = load double, ptr %920, align 8
+  %926 = fsub double %922, %925
+  %927 = fcmp ult double %926, %899
+  br i1 %927, label %928, label %930
 
-920:                                              ; preds = %915
-  %921 = load ptr, ptr %20, align 8
-  %922 = getelementptr inbounds i8, ptr %921, i64 80
-  %923 = load i64, ptr %922, align 8
-  %924 = load ptr, ptr %6, align 8
-  %925 = getelementptr inbounds i8, ptr %924, i64 8
-  %926 = load i64, ptr %925, align 8
-  %927 = load i64, ptr %230, align 8
-  %928 = icmp eq i64 %927, 0
-  br i1 %928, label %953, label %929
+928:                                              ; preds = %924
+  store double %898, ptr %920, align 8
+  br label %929
 
-929:                                              ; preds = %920
-  %930 = load ptr, ptr %231, align 8
-  %931 = getelementptr inbounds double, ptr %930, i64 %923
-  store double %562, ptr %931, align 8
-  %932 = load ptr, ptr %232, align 8
-  %933 = getelementptr inbounds i64, ptr %932, i64 %923
-  store i64 %916, ptr %933, align 8
-  %934 = icmp sgt i64 %926, 0
-  br i1 %934, label %935, label %937
+929:                                              ; preds = %917, %928
+  store double %898, ptr %921, align 8
+  br label %930
 
-935:                                              ; preds = %929
-  %936 = mul nsw i64 %926, %923
-  br label %941
+930:                                              ; preds = %929, %924, %914, %910, %906, %900
+  %931 = add nuw nsw i64 %901, 1
+  %932 = icmp eq i64 %931, %808
+  br i1 %932, label %983, label %900, !llvm.loop !13
 
-937:                                              ; preds = %941, %929
-  %938 = add nsw i64 %923, 1
+933:                                              ; preds = %576, %975
+  %934 = phi i64 [ 0, %576 ], [ %976, %975 ]
+  %935 = getelementptr inbounds i64, ptr %18, i64 %934
+  %936 = load i64, ptr %935, align 8
+  %937 = icmp slt i64 %936, 1
+  br i1 %937, label %975, label %938
+
+938:                                              ; preds = %933
   %939 = load ptr, ptr %20, align 8
   %940 = getelementptr inbounds i8, ptr %939, i64 80
-  store i64 %938, ptr %940, align 8
-  br label %953
+  %941 = load i64, ptr %940, align 8
+  %942 = load ptr, ptr %6, align 8
+  %943 = getelementptr inbounds i8, ptr %942, i64 8
+  %944 = load i64, ptr %943, align 8
+  %945 = load i64, ptr %218, align 8
+  %946 = icmp eq i64 %945, 0
+  br i1 %946, label %971, label %947
 
-941:                                              ; preds = %935, %941
-  %942 = phi i64 [ 0, %935 ], [ %951, %941 ]
-  %943 = load ptr, ptr %207, align 8
-  %944 = getelementptr inbounds double, ptr %943, i64 %942
-  %945 = load double, ptr %944, align 8
-  %946 = load ptr, ptr %233, align 8
-  %947 = add nsw i64 %942, %936
-  %948 = getelementptr inbounds double, ptr %946, i64 %947
-  store double %945, ptr %948, align 8
-  %949 = load ptr, ptr %234, align 8
-  %950 = getelementptr inbounds double, ptr %949, i64 %947
-  store double %945, ptr %950, align 8
-  %951 = add nuw nsw i64 %942, 1
-  %952 = icmp eq i64 %951, %926
-  br i1 %952, label %937, label %941, !llvm.loop !14
+947:                                              ; preds = %938
+  %948 = load ptr, ptr %219, align 8
+  %949 = getelementptr inbounds double, ptr %948, i64 %941
+  store double %578, ptr %949, align 8
+  %950 = load ptr, ptr %220, align 8
+  %951 = getelementptr inbounds i64, ptr %950, i64 %941
+  store i64 %934, ptr %951, align 8
+  %952 = icmp sgt i64 %944, 0
+  br i1 %952, label %953, label %955
 
-953:                                              ; preds = %920, %937
-  %954 = getelementptr inbounds i64, ptr %16, i64 %916
-  %955 = load i64, ptr %954, align 8
-  %956 = sub nsw i64 0, %955
-  store i64 %956, ptr %954, align 8
-  br label %957
+953:                                              ; preds = %947
+  %954 = mul nsw i64 %944, %941
+  br label %959
 
-957:                                              ; preds = %915, %953
-  %958 = add nuw nsw i64 %916, 1
-  %959 = icmp eq i64 %958, %12
-  br i1 %959, label %787, label %915, !llvm.loop !15
+955:                                              ; preds = %959, %947
+  %956 = add nsw i64 %941, 1
+  %957 = load ptr, ptr %20, align 8
+  %958 = getelementptr inbounds i8, ptr %957, i64 80
+  store i64 %956, ptr %958, align 8
+  br label %971
 
-960:                                              ; preds = %860
-  %961 = load ptr, ptr %20, align 8
-  %962 = getelementptr inbounds i8, ptr %961, i64 80
-  store i64 %23, ptr %962, align 8
-  %963 = load ptr, ptr %19, align 8
-  %964 = getelementptr inbounds i8, ptr %963, i64 48
-  store double 1.000000e+00, ptr %964, align 8
-  br label %984
+959:                                              ; preds = %953, %959
+  %960 = phi i64 [ 0, %953 ], [ %969, %959 ]
+  %961 = load ptr, ptr %201, align 8
+  %962 = getelementptr inbounds double, ptr %961, i64 %960
+  %963 = load double, ptr %962, align 8
+  %964 = load ptr, ptr %221, align 8
+  %965 = add nsw i64 %960, %954
+  %966 = getelementptr inbounds double, ptr %964, i64 %965
+  store double %963, ptr %966, align 8
+  %967 = load ptr, ptr %222, align 8
+  %968 = getelementptr inbounds double, ptr %967, i64 %965
+  store double %963, ptr %968, align 8
+  %969 = add nuw nsw i64 %960, 1
+  %970 = icmp eq i64 %969, %944
+  br i1 %970, label %955, label %959, !llvm.loop !14
 
-965:                                              ; preds = %912, %876, %824, %803
-  %966 = icmp sgt i64 %557, -1
-  br i1 %966, label %967, label %976
+971:                                              ; preds = %938, %955
+  %972 = getelementptr inbounds i64, ptr %16, i64 %934
+  %973 = load i64, ptr %972, align 8
+  %974 = sub nsw i64 0, %973
+  store i64 %974, ptr %972, align 8
+  br label %975
 
-967:                                              ; preds = %965
-  br i1 %243, label %969, label %968
+975:                                              ; preds = %933, %971
+  %976 = add nuw nsw i64 %934, 1
+  %977 = icmp eq i64 %976, %12
+  br i1 %977, label %805, label %933, !llvm.loop !15
 
-968:                                              ; preds = %969, %967
-  store double %550, ptr %244, align 8
-  br label %984
+978:                                              ; preds = %878
+  %979 = load ptr, ptr %20, align 8
+  %980 = getelementptr inbounds i8, ptr %979, i64 80
+  store i64 %23, ptr %980, align 8
+  %981 = load ptr, ptr %19, align 8
+  %982 = getelementptr inbounds i8, ptr %981, i64 48
+  store double 1.000000e+00, ptr %982, align 8
+  br label %1002
 
-969:                                              ; preds = %967, %969
-  %970 = phi i64 [ %974, %969 ], [ 0, %967 ]
-  %971 = icmp eq i64 %970, %557
-  %972 = zext i1 %971 to i64
-  %973 = getelementptr inbounds i64, ptr %18, i64 %970
-  store i64 %972, ptr %973, align 8
-  %974 = add nuw nsw i64 %970, 1
-  %975 = icmp eq i64 %974, %12
-  br i1 %975, label %968, label %969, !llvm.loop !16
+983:                                              ; preds = %930, %894, %842, %821
+  %984 = icmp sgt i64 %572, -1
+  br i1 %984, label %985, label %994
 
-976:                                              ; preds = %965
-  %977 = load i64, ptr %241, align 8
-  %978 = icmp sgt i64 %977, 0
-  br i1 %978, label %979, label %984
+985:                                              ; preds = %983
+  br i1 %231, label %987, label %986
 
-979:                                              ; preds = %976
-  %980 = load i64, ptr %22, align 8
-  %981 = add nsw i64 %980, %12
-  %982 = icmp sgt i64 %981, %977
-  br i1 %982, label %983, label %984
+986:                                              ; preds = %987, %985
+  store double %568, ptr %232, align 8
+  br label %1002
 
-983:                                              ; preds = %979
-  store double %550, ptr %242, align 8
-  br label %984
+987:                                              ; preds = %985, %987
+  %988 = phi i64 [ %992, %987 ], [ 0, %985 ]
+  %989 = icmp eq i64 %988, %572
+  %990 = zext i1 %989 to i64
+  %991 = getelementptr inbounds i64, ptr %18, i64 %988
+  store i64 %990, ptr %991, align 8
+  %992 = add nuw nsw i64 %988, 1
+  %993 = icmp eq i64 %992, %12
+  br i1 %993, label %986, label %987, !llvm.loop !16
 
-984:                                              ; preds = %779, %743, %691, %670, %960, %968, %983, %782, %979, %976, %354, %547, %439
-  %985 = phi i32 [ 1, %439 ], [ %549, %547 ], [ 11, %354 ], [ 1, %960 ], [ 1, %968 ], [ 1, %983 ], [ 1, %782 ], [ 0, %979 ], [ 0, %976 ], [ 1, %670 ], [ 1, %691 ], [ 1, %743 ], [ 1, %779 ]
-  %986 = phi double [ %352, %439 ], [ %352, %547 ], [ %352, %354 ], [ %352, %960 ], [ %352, %968 ], [ %352, %983 ], [ %352, %782 ], [ %550, %979 ], [ %550, %976 ], [ %352, %670 ], [ %352, %691 ], [ %352, %743 ], [ %352, %779 ]
-  %987 = phi i64 [ -4, %439 ], [ %551, %547 ], [ %353, %354 ], [ -4, %960 ], [ 21, %968 ], [ -3, %983 ], [ -4, %782 ], [ %551, %979 ], [ %551, %976 ], [ -2, %670 ], [ -2, %691 ], [ -2, %743 ], [ -2, %779 ]
-  switch i32 %985, label %1045 [
+994:                                              ; preds = %983
+  %995 = load i64, ptr %229, align 8
+  %996 = icmp sgt i64 %995, 0
+  br i1 %996, label %997, label %1002
+
+997:                                              ; preds = %994
+  %998 = load i64, ptr %22, align 8
+  %999 = add nsw i64 %998, %12
+  %1000 = icmp sgt i64 %999, %995
+  br i1 %1000, label %1001, label %1002
+
+1001:                                             ; preds = %997
+  store double %568, ptr %230, align 8
+  br label %1002
+
+1002:                                             ; preds = %797, %761, %709, %688, %978, %986, %1001, %800, %997, %994, %354, %565, %445
+  %1003 = phi i32 [ 1, %445 ], [ %567, %565 ], [ 11, %354 ], [ 1, %978 ], [ 1, %986 ], [ 1, %1001 ], [ 1, %800 ], [ 0, %997 ], [ 0, %994 ], [ 1, %688 ], [ 1, %709 ], [ 1, %761 ], [ 1, %797 ]
+  %1004 = phi double [ %352, %445 ], [ %352, %565 ], [ %352, %354 ], [ %352, %978 ], [ %352, %986 ], [ %352, %1001 ], [ %352, %800 ], [ %568, %997 ], [ %568, %994 ], [ %352, %688 ], [ %352, %709 ], [ %352, %761 ], [ %352, %797 ]
+  %1005 = phi i64 [ -4, %445 ], [ %569, %565 ], [ %353, %354 ], [ -4, %978 ], [ 21, %986 ], [ -3, %1001 ], [ -4, %800 ], [ %569, %997 ], [ %569, %994 ], [ -2, %688 ], [ -2, %709 ], [ -2, %761 ], [ -2, %797 ]
+  switch i32 %1003, label %1079 [
     i32 0, label %351
-    i32 11, label %988
+    i32 11, label %1006
   ], !llvm.loop !17
 
-988:                                              ; preds = %984
-  br i1 %245, label %989, label %1045
+1006:                                             ; preds = %1002
+  br i1 %233, label %1007, label %1079
 
-989:                                              ; preds = %988
-  %990 = fcmp oeq double %349, %255
-  %991 = add nsw i32 %252, -1
-  %992 = sext i32 %991 to i64
-  %993 = mul nsw i64 %12, %992
-  %994 = getelementptr double, ptr %28, i64 %993
-  %995 = getelementptr inbounds [5 x double], ptr @scan_points, i64 0, i64 %992
-  %996 = fmul double %349, %2
-  %997 = fadd double %996, %1
-  br label %998
+1007:                                             ; preds = %1006
+  %1008 = fcmp oeq double %349, %255
+  %1009 = add nsw i32 %252, -1
+  %1010 = sext i32 %1009 to i64
+  %1011 = mul nsw i64 %12, %1010
+  %1012 = getelementptr double, ptr %28, i64 %1011
+  %1013 = getelementptr inbounds [5 x double], ptr @scan_points, i64 0, i64 %1010
+  %1014 = fmul double %349, %2
+  %1015 = fadd double %1014, %1
+  br label %1016
 
-998:                                              ; preds = %989, %1037
-  %999 = phi i64 [ 0, %989 ], [ %1038, %1037 ]
-  %1000 = getelementptr inbounds double, ptr %350, i64 %999
-  %1001 = load double, ptr %1000, align 8
-  %1002 = fcmp ogt double %1001, 0.000000e+00
-  br i1 %1002, label %1005, label %1003
+1016:                                             ; preds = %1007, %1071
+  %1017 = phi i64 [ 0, %1007 ], [ %1072, %1071 ]
+  %1018 = getelementptr inbounds double, ptr %350, i64 %1017
+  %1019 = load double, ptr %1018, align 8
+  %1020 = getelementptr inbounds i64, ptr %16, i64 %1017
+  %1021 = load i64, ptr %1020, align 8
+  %1022 = sitofp i64 %1021 to double
+  %1023 = fmul double %1019, %1022
+  %1024 = fcmp olt double %1023, 0.000000e+00
+  br i1 %1024, label %1025, label %1031
 
-1003:                                             ; preds = %998
-  %1004 = fcmp olt double %1001, 0.000000e+00
-  br i1 %1004, label %1005, label %1008
+1025:                                             ; preds = %1016
+  %1026 = call fastcc i32 @departs(ptr noundef %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, double noundef %1004, double noundef %349, double noundef %1019, i64 noundef %1017) #8
+  %1027 = icmp eq i32 %1026, 0
+  br i1 %1027, label %1028, label %1031
 
-1005:                                             ; preds = %1003, %998
-  %1006 = phi i64 [ 1, %998 ], [ -1, %1003 ]
-  %1007 = getelementptr inbounds i64, ptr %16, i64 %999
-  store i64 %1006, ptr %1007, align 8
-  br label %1008
+1028:                                             ; preds = %1025
+  %1029 = load i64, ptr %1020, align 8
+  %1030 = sub nsw i64 0, %1029
+  br label %1040
 
-1008:                                             ; preds = %1005, %1003
-  br i1 %990, label %1009, label %1037
+1031:                                             ; preds = %1025, %1016
+  %1032 = load i64, ptr %1020, align 8
+  %1033 = icmp eq i64 %1032, 0
+  br i1 %1033, label %1034, label %1042
 
-1009:                                             ; preds = %1008
-  %1010 = getelementptr double, ptr %994, i64 %999
-  %1011 = load double, ptr %1010, align 8
-  %1012 = fcmp oeq double %1011, 0.000000e+00
-  br i1 %1012, label %1013, label %1037
+1034:                                             ; preds = %1031
+  %1035 = load double, ptr %1018, align 8
+  %1036 = fcmp ogt double %1035, 0.000000e+00
+  %1037 = fcmp olt double %1035, 0.000000e+00
+  %1038 = sext i1 %1037 to i64
+  %1039 = select i1 %1036, i64 1, i64 %1038
+  br label %1040
 
-1013:                                             ; preds = %1009
-  %1014 = getelementptr double, ptr %306, i64 %999
-  %1015 = load double, ptr %1014, align 8
-  %1016 = fcmp oeq double %1015, 0.000000e+00
-  br i1 %1016, label %1017, label %1037
+1040:                                             ; preds = %1028, %1034
+  %1041 = phi i64 [ %1039, %1034 ], [ %1030, %1028 ]
+  store i64 %1041, ptr %1020, align 8
+  br label %1042
 
-1017:                                             ; preds = %1013
-  %1018 = load double, ptr %995, align 8
-  %1019 = fmul double %1018, %2
-  %1020 = fadd double %1019, %1
-  %1021 = load i64, ptr %246, align 8
-  %1022 = icmp eq i64 %1021, 0
-  br i1 %1022, label %1037, label %1023
+1042:                                             ; preds = %1040, %1031
+  br i1 %1008, label %1043, label %1071
 
-1023:                                             ; preds = %1017
-  %1024 = load ptr, ptr %247, align 8
-  %1025 = shl nsw i64 %999, 4
-  %1026 = getelementptr inbounds i8, ptr %1024, i64 %1025
-  %1027 = getelementptr inbounds i8, ptr %1026, i64 8
-  %1028 = load double, ptr %1027, align 8
-  %1029 = fcmp oeq double %1028, %1020
-  br i1 %1029, label %1036, label %1030
+1043:                                             ; preds = %1042
+  %1044 = getelementptr double, ptr %1012, i64 %1017
+  %1045 = load double, ptr %1044, align 8
+  %1046 = fcmp oeq double %1045, 0.000000e+00
+  br i1 %1046, label %1047, label %1071
 
-1030:                                             ; preds = %1023
-  %1031 = load double, ptr %1026, align 8
-  %1032 = fsub double %1028, %1031
-  %1033 = fsub double %997, %1020
-  %1034 = fcmp ult double %1032, %1033
-  br i1 %1034, label %1035, label %1037
+1047:                                             ; preds = %1043
+  %1048 = getelementptr double, ptr %306, i64 %1017
+  %1049 = load double, ptr %1048, align 8
+  %1050 = fcmp oeq double %1049, 0.000000e+00
+  br i1 %1050, label %1051, label %1071
 
-1035:                                             ; preds = %1030
-  store double %1020, ptr %1026, align 8
-  br label %1036
+1051:                                             ; preds = %1047
+  %1052 = load double, ptr %1013, align 8
+  %1053 = fmul double %1052, %2
+  %1054 = fadd double %1053, %1
+  %1055 = load i64, ptr %234, align 8
+  %1056 = icmp eq i64 %1055, 0
+  br i1 %1056, label %1071, label %1057
 
-1036:                                             ; preds = %1023, %1035
-  store double %997, ptr %1027, align 8
-  br label %1037
+1057:                                             ; preds = %1051
+  %1058 = load ptr, ptr %235, align 8
+  %1059 = shl nsw i64 %1017, 4
+  %1060 = getelementptr inbounds i8, ptr %1058, i64 %1059
+  %1061 = getelementptr inbounds i8, ptr %1060, i64 8
+  %1062 = load double, ptr %1061, align 8
+  %1063 = fcmp oeq double %1062, %1054
+  br i1 %1063, label %1070, label %1064
 
-1037:                                             ; preds = %1036, %1030, %1017, %1008, %1009, %1013
-  %1038 = add nuw nsw i64 %999, 1
-  %1039 = icmp eq i64 %1038, %12
-  br i1 %1039, label %1045, label %998, !llvm.loop !18
+1064:                                             ; preds = %1057
+  %1065 = load double, ptr %1060, align 8
+  %1066 = fsub double %1062, %1065
+  %1067 = fsub double %1015, %1054
+  %1068 = fcmp ult double %1066, %1067
+  br i1 %1068, label %1069, label %1071
 
-1040:                                             ; preds = %336, %302
-  %1041 = load ptr, ptr %20, align 8
-  %1042 = getelementptr inbounds i8, ptr %1041, i64 80
-  store i64 %23, ptr %1042, align 8
-  %1043 = load ptr, ptr %19, align 8
-  %1044 = getelementptr inbounds i8, ptr %1043, i64 48
-  store double 1.000000e+00, ptr %1044, align 8
-  br label %1045
+1069:                                             ; preds = %1064
+  store double %1054, ptr %1060, align 8
+  br label %1070
 
-1045:                                             ; preds = %984, %1037, %1040, %988
-  %1046 = phi i32 [ 0, %988 ], [ 1, %1040 ], [ 0, %1037 ], [ %985, %984 ]
-  %1047 = phi double [ %349, %988 ], [ %251, %1040 ], [ %349, %1037 ], [ %986, %984 ]
-  %1048 = phi i64 [ %987, %988 ], [ -4, %1040 ], [ %987, %1037 ], [ %987, %984 ]
-  %1049 = icmp eq i32 %1046, 0
-  br i1 %1049, label %1050, label %1055
-
-1050:                                             ; preds = %1045
-  %1051 = fcmp oeq double %1047, %255
-  %1052 = zext i1 %1051 to i32
-  %1053 = add nuw nsw i32 %252, %1052
-  %1054 = icmp ugt i32 %1053, 4
-  br i1 %1054, label %1055, label %248, !llvm.loop !19
-
-1055:                                             ; preds = %1050, %1045
-  %1056 = phi i1 [ %1054, %1050 ], [ %249, %1045 ]
-  br i1 %1056, label %1057, label %1075
-
-1057:                                             ; preds = %1055
-  %1058 = icmp sgt i64 %12, 0
-  br i1 %1058, label %1059, label %1062
-
-1059:                                             ; preds = %1057
-  %1060 = shl i64 %12, 5
-  %1061 = getelementptr i8, ptr %28, i64 %1060
-  br label %1064
-
-1062:                                             ; preds = %1064, %1057
-  %1063 = load double, ptr %24, align 8
-  store double %1063, ptr %30, align 8
+1070:                                             ; preds = %1057, %1069
+  store double %1015, ptr %1061, align 8
   br label %1071
 
-1064:                                             ; preds = %1059, %1064
-  %1065 = phi i64 [ 0, %1059 ], [ %1069, %1064 ]
-  %1066 = getelementptr double, ptr %1061, i64 %1065
-  %1067 = load double, ptr %1066, align 8
-  %1068 = getelementptr inbounds double, ptr %28, i64 %1065
-  store double %1067, ptr %1068, align 8
-  %1069 = add nuw nsw i64 %1065, 1
-  %1070 = icmp eq i64 %1069, %12
-  br i1 %1070, label %1062, label %1064, !llvm.loop !20
+1071:                                             ; preds = %1070, %1064, %1051, %1042, %1043, %1047
+  %1072 = add nuw nsw i64 %1017, 1
+  %1073 = icmp eq i64 %1072, %12
+  br i1 %1073, label %1079, label %1016, !llvm.loop !18
 
-1071:                                             ; preds = %125, %1062, %189, %98
-  %1072 = phi ptr [ %101, %98 ], [ %192, %189 ], [ %24, %1062 ], [ %128, %125 ]
-  %1073 = phi i64 [ -4, %98 ], [ -4, %189 ], [ 0, %1062 ], [ -4, %125 ]
-  %1074 = getelementptr inbounds i8, ptr %1072, i64 48
-  store double 1.000000e+00, ptr %1074, align 8
-  br label %1075
+1074:                                             ; preds = %336, %302
+  %1075 = load ptr, ptr %20, align 8
+  %1076 = getelementptr inbounds i8, ptr %1075, i64 80
+  store i64 %23, ptr %1076, align 8
+  %1077 = load ptr, ptr %19, align 8
+  %1078 = getelementptr inbounds i8, ptr %1077, i64 48
+  store double 1.000000e+00, ptr %1078, align 8
+  br label %1079
 
-1075:                                             ; preds = %1071, %1055, %106
-  %1076 = phi i64 [ %1048, %1055 ], [ %107, %106 ], [ %1073, %1071 ]
-  ret i64 %1076
+1079:                                             ; preds = %1002, %1071, %1074, %1006
+  %1080 = phi i32 [ 0, %1006 ], [ 1, %1074 ], [ 0, %1071 ], [ %1003, %1002 ]
+  %1081 = phi double [ %349, %1006 ], [ %251, %1074 ], [ %349, %1071 ], [ %1004, %1002 ]
+  %1082 = phi i64 [ %1005, %1006 ], [ -4, %1074 ], [ %1005, %1071 ], [ %1005, %1002 ]
+  %1083 = icmp eq i32 %1080, 0
+  br i1 %1083, label %1084, label %1089
+
+1084:                                             ; preds = %1079
+  %1085 = fcmp oeq double %1081, %255
+  %1086 = zext i1 %1085 to i32
+  %1087 = add nuw nsw i32 %252, %1086
+  %1088 = icmp ugt i32 %1087, 4
+  br i1 %1088, label %1089, label %248, !llvm.loop !19
+
+1089:                                             ; preds = %1084, %1079
+  %1090 = phi i1 [ %1088, %1084 ], [ %249, %1079 ]
+  br i1 %1090, label %1091, label %1109
+
+1091:                                             ; preds = %1089
+  %1092 = icmp sgt i64 %12, 0
+  br i1 %1092, label %1093, label %1096
+
+1093:                                             ; preds = %1091
+  %1094 = shl i64 %12, 5
+  %1095 = getelementptr i8, ptr %28, i64 %1094
+  br label %1098
+
+1096:                                             ; preds = %1098, %1091
+  %1097 = load double, ptr %24, align 8
+  store double %1097, ptr %30, align 8
+  br label %1105
+
+1098:                                             ; preds = %1093, %1098
+  %1099 = phi i64 [ 0, %1093 ], [ %1103, %1098 ]
+  %1100 = getelementptr double, ptr %1095, i64 %1099
+  %1101 = load double, ptr %1100, align 8
+  %1102 = getelementptr inbounds double, ptr %28, i64 %1099
+  store double %1101, ptr %1102, align 8
+  %1103 = add nuw nsw i64 %1099, 1
+  %1104 = icmp eq i64 %1103, %12
+  br i1 %1104, label %1096, label %1098, !llvm.loop !20
+
+1105:                                             ; preds = %125, %1096, %189, %98
+  %1106 = phi ptr [ %101, %98 ], [ %192, %189 ], [ %24, %1096 ], [ %128, %125 ]
+  %1107 = phi i64 [ -4, %98 ], [ -4, %189 ], [ 0, %1096 ], [ -4, %125 ]
+  %1108 = getelementptr inbounds i8, ptr %1106, i64 48
+  store double 1.000000e+00, ptr %1108, align 8
+  br label %1109
+
+1109:                                             ; preds = %1105, %1089, %106
+  %1110 = phi i64 [ %1082, %1089 ], [ %107, %106 ], [ %1107, %1105 ]
+  ret i64 %1110
 }
 
 
@@ -2025,272 +2069,182 @@ define internal fastcc i64 @resolve(ptr noundef readonly %0, ptr noundef readonl
 }
 
 define internal fastcc double @locate(ptr noundef readonly %0, ptr noundef readonly %1, double noundef %2, double noundef %3, double noundef %4, double noundef %5, i64 noundef %6) unnamed_addr #2 {
-  %8 = getelementptr inbounds i8, ptr %0, i64 768
-  %9 = getelementptr inbounds i8, ptr %0, i64 936
-  %10 = load ptr, ptr %9, align 8
-  %11 = getelementptr inbounds i64, ptr %10, i64 %6
-  %12 = load i64, ptr %11, align 8
-  %13 = sitofp i64 %12 to double
-  %14 = getelementptr inbounds i8, ptr %0, i64 984
-  %15 = load ptr, ptr %14, align 8
-  %16 = load ptr, ptr %8, align 8
-  %17 = getelementptr inbounds i8, ptr %16, i64 8
-  %18 = load i64, ptr %17, align 8
-  %19 = getelementptr inbounds double, ptr %15, i64 %18
-  %20 = getelementptr inbounds double, ptr %19, i64 %6
-  %21 = fadd double %2, %3
-  %22 = tail call double @llvm.fabs.f64(double %21)
-  %23 = tail call double @llvm.fabs.f64(double %2)
-  %24 = fcmp ogt double %22, %23
-  %25 = select i1 %24, double %22, double %23
-  %26 = fmul double %25, 0x3CB0000000000000
-  %27 = fdiv double %26, %3
-  %28 = getelementptr inbounds i8, ptr %0, i64 144
-  %29 = getelementptr inbounds i8, ptr %0, i64 1032
-  %30 = load ptr, ptr %29, align 8
-  %31 = getelementptr inbounds i8, ptr %1, i64 16
-  %32 = load ptr, ptr %31, align 8
-  %33 = getelementptr inbounds i8, ptr %32, i64 96
-  %34 = load ptr, ptr %33, align 8
-  %35 = insertelement <8 x double> poison, double %4, i64 0
-  %36 = shufflevector <8 x double> %35, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %36, ptr %34, align 8
-  %37 = load ptr, ptr %32, align 8
-  %38 = getelementptr inbounds i8, ptr %32, i64 192
-  %39 = load ptr, ptr %38, align 8
-  %40 = getelementptr inbounds i8, ptr %32, i64 8
-  %41 = load i64, ptr %40, align 8
-  %42 = load ptr, ptr %1, align 8
-  %43 = load ptr, ptr %42, align 8
-  %44 = getelementptr inbounds i8, ptr %43, i64 24
-  %45 = load i64, ptr %44, align 8
-  %46 = load ptr, ptr %33, align 8
-  %47 = getelementptr inbounds i8, ptr %1, i64 8
-  %48 = load ptr, ptr %47, align 8
-  %49 = load ptr, ptr %48, align 8
-  %50 = getelementptr inbounds i8, ptr %49, i64 16
-  %51 = load i64, ptr %50, align 8
-  tail call fastcc void @nested(ptr noundef %30, ptr noundef %37, ptr noundef %39, i64 noundef %41, i64 noundef %45, ptr noundef %46, i64 noundef %51) #8
-  %52 = fmul double %3, %4
-  %53 = fadd double %52, %2
-  %54 = getelementptr inbounds i8, ptr %0, i64 168
-  %55 = load ptr, ptr %54, align 8
-  store double %53, ptr %55, align 8
-  %56 = load ptr, ptr %28, align 8
-  %57 = getelementptr inbounds i8, ptr %56, i64 40
-  %58 = load i64, ptr %57, align 8
-  %59 = icmp eq i64 %58, 0
-  br i1 %59, label %61, label %60
+  %8 = alloca double, align 8
+  %9 = alloca double, align 8
+  store double %4, ptr %8, align 8
+  store double %5, ptr %9, align 8
+  %10 = getelementptr inbounds i8, ptr %0, i64 768
+  %11 = getelementptr inbounds i8, ptr %0, i64 936
+  %12 = load ptr, ptr %11, align 8
+  %13 = getelementptr inbounds i64, ptr %12, i64 %6
+  %14 = load i64, ptr %13, align 8
+  %15 = sitofp i64 %14 to double
+  %16 = fadd double %2, %3
+  %17 = tail call double @llvm.fabs.f64(double %16)
+  %18 = tail call double @llvm.fabs.f64(double %2)
+  %19 = fcmp ogt double %17, %18
+  %20 = select i1 %19, double %17, double %18
+  %21 = fmul double %20, 0x3CB0000000000000
+  %22 = fdiv double %21, %3
+  %23 = getelementptr inbounds i8, ptr %0, i64 984
+  %24 = load ptr, ptr %23, align 8
+  %25 = load ptr, ptr %10, align 8
+  %26 = getelementptr inbounds i8, ptr %25, i64 8
+  %27 = load i64, ptr %26, align 8
+  %28 = getelementptr inbounds double, ptr %24, i64 %27
+  %29 = getelementptr inbounds double, ptr %28, i64 %6
+  %30 = call fastcc i32 @comes_to_side(ptr noundef %0, ptr noundef %1, double noundef %2, double noundef %3, ptr noundef nonnull %8, ptr noundef nonnull %9, double noundef %22, i64 noundef %6) #8
+  %31 = icmp eq i32 %30, 0
+  br i1 %31, label %44, label %32
 
-60:                                               ; preds = %7
-  tail call fastcc void @settle(ptr noundef nonnull %28) #8
-  br label %61
+32:                                               ; preds = %7
+  %33 = load double, ptr %9, align 8
+  %34 = load double, ptr %8, align 8
+  %35 = getelementptr inbounds i8, ptr %0, i64 144
+  %36 = getelementptr inbounds i8, ptr %0, i64 1032
+  %37 = getelementptr inbounds i8, ptr %1, i64 16
+  %38 = getelementptr inbounds i8, ptr %1, i64 8
+  %39 = getelementptr inbounds i8, ptr %0, i64 168
+  %40 = getelementptr inbounds i8, ptr %0, i64 248
+  %41 = getelementptr inbounds i8, ptr %0, i64 168
+  %42 = getelementptr inbounds i8, ptr %0, i64 192
+  %43 = getelementptr inbounds i8, ptr %0, i64 792
+  br label %47
 
-61:                                               ; preds = %60, %7
-  %62 = getelementptr inbounds i8, ptr %0, i64 248
-  %63 = load i64, ptr %62, align 8
-  %64 = icmp sgt i64 %63, 0
-  br i1 %64, label %65, label %66
+44:                                               ; preds = %7
+  %45 = load double, ptr %8, align 8
+  %46 = tail call fastcc double @turning_place(ptr noundef %0, ptr noundef %1, double noundef %2, double noundef %3, double noundef %45, double noundef %5, double noundef %22, i64 noundef %6) #8
+  br label %113
 
-65:                                               ; preds = %61
-  tail call fastcc void @sample(ptr noundef nonnull %28) #8
-  br label %66
+47:                                               ; preds = %32, %91
+  %48 = phi double [ %34, %32 ], [ %108, %91 ]
+  %49 = phi double [ %33, %32 ], [ %109, %91 ]
+  %50 = fsub double %49, %48
+  %51 = fcmp ogt double %50, %22
+  br i1 %51, label %52, label %110
 
-66:                                               ; preds = %61, %65
-  %67 = load ptr, ptr %8, align 8
-  %68 = load i64, ptr %67, align 8
-  %69 = getelementptr inbounds i8, ptr %0, i64 168
-  %70 = load ptr, ptr %69, align 8
-  %71 = load ptr, ptr %29, align 8
-  %72 = getelementptr inbounds i8, ptr %0, i64 192
-  %73 = load ptr, ptr %72, align 8
-  %74 = getelementptr inbounds i8, ptr %0, i64 792
-  %75 = load ptr, ptr %74, align 8
-  %76 = load ptr, ptr %14, align 8
-  %77 = getelementptr inbounds i8, ptr %67, i64 8
+52:                                               ; preds = %47
+  %53 = fmul double %50, 5.000000e-01
+  %54 = fadd double %48, %53
+  %55 = fcmp une double %54, %48
+  %56 = fcmp une double %54, %49
+  %57 = and i1 %55, %56
+  br i1 %57, label %58, label %110
+
+58:                                               ; preds = %52
+  %59 = load ptr, ptr %36, align 8
+  %60 = load ptr, ptr %37, align 8
+  %61 = getelementptr inbounds i8, ptr %60, i64 96
+  %62 = load ptr, ptr %61, align 8
+  %63 = insertelement <8 x double> poison, double %54, i64 0
+  %64 = shufflevector <8 x double> %63, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %64, ptr %62, align 8
+  %65 = load ptr, ptr %60, align 8
+  %66 = getelementptr inbounds i8, ptr %60, i64 192
+  %67 = load ptr, ptr %66, align 8
+  %68 = getelementptr inbounds i8, ptr %60, i64 8
+  %69 = load i64, ptr %68, align 8
+  %70 = load ptr, ptr %1, align 8
+  %71 = load ptr, ptr %70, align 8
+  %72 = getelementptr inbounds i8, ptr %71, i64 24
+  %73 = load i64, ptr %72, align 8
+  %74 = load ptr, ptr %61, align 8
+  %75 = load ptr, ptr %38, align 8
+  %76 = load ptr, ptr %75, align 8
+  %77 = getelementptr inbounds i8, ptr %76, i64 16
   %78 = load i64, ptr %77, align 8
-  %79 = getelementptr inbounds double, ptr %76, i64 %78
-  %80 = inttoptr i64 %68 to ptr
-  %81 = load ptr, ptr %80, align 8
-  %82 = tail call i32 %81(ptr noundef %70, ptr noundef %71, ptr noundef %73, ptr noundef %75, ptr noundef %79) #9
-  %83 = load double, ptr %20, align 8
-  %84 = fmul double %83, %13
-  %85 = fcmp ugt double %84, 0.000000e+00
-  br i1 %85, label %145, label %86
+  tail call fastcc void @nested(ptr noundef %59, ptr noundef %65, ptr noundef %67, i64 noundef %69, i64 noundef %73, ptr noundef %74, i64 noundef %78) #8
+  %79 = fmul double %54, %3
+  %80 = fadd double %79, %2
+  %81 = load ptr, ptr %39, align 8
+  store double %80, ptr %81, align 8
+  %82 = load ptr, ptr %35, align 8
+  %83 = getelementptr inbounds i8, ptr %82, i64 40
+  %84 = load i64, ptr %83, align 8
+  %85 = icmp eq i64 %84, 0
+  br i1 %85, label %87, label %86
 
-86:                                               ; preds = %66, %126
-  %87 = phi double [ %90, %126 ], [ %5, %66 ]
-  %88 = fsub double %87, %4
-  %89 = fmul double %88, 5.000000e-01
-  %90 = fadd double %89, %4
-  %91 = fsub double %90, %4
-  %92 = fcmp uge double %91, %27
-  br i1 %92, label %93, label %143
+86:                                               ; preds = %58
+  tail call fastcc void @settle(ptr noundef nonnull %35) #8
+  br label %87
 
-93:                                               ; preds = %86
-  %94 = load ptr, ptr %29, align 8
-  %95 = load ptr, ptr %31, align 8
-  %96 = getelementptr inbounds i8, ptr %95, i64 96
-  %97 = load ptr, ptr %96, align 8
-  %98 = insertelement <8 x double> poison, double %90, i64 0
-  %99 = shufflevector <8 x double> %98, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %99, ptr %97, align 8
-  %100 = load ptr, ptr %95, align 8
-  %101 = getelementptr inbounds i8, ptr %95, i64 192
-  %102 = load ptr, ptr %101, align 8
-  %103 = getelementptr inbounds i8, ptr %95, i64 8
-  %104 = load i64, ptr %103, align 8
-  %105 = load ptr, ptr %1, align 8
-  %106 = load ptr, ptr %105, align 8
-  %107 = getelementptr inbounds i8, ptr %106, i64 24
-  %108 = load i64, ptr %107, align 8
-  %109 = load ptr, ptr %96, align 8
-  %110 = load ptr, ptr %47, align 8
-  %111 = load ptr, ptr %110, align 8
-  %112 = getelementptr inbounds i8, ptr %111, i64 16
-  %113 = load i64, ptr %112, align 8
-  tail call fastcc void @nested(ptr noundef %94, ptr noundef %100, ptr noundef %102, i64 noundef %104, i64 noundef %108, ptr noundef %109, i64 noundef %113) #8
-  %114 = fmul double %90, %3
-  %115 = fadd double %114, %2
-  %116 = load ptr, ptr %54, align 8
-  store double %115, ptr %116, align 8
-  %117 = load ptr, ptr %28, align 8
-  %118 = getelementptr inbounds i8, ptr %117, i64 40
-  %119 = load i64, ptr %118, align 8
-  %120 = icmp eq i64 %119, 0
-  br i1 %120, label %122, label %121
+87:                                               ; preds = %86, %58
+  %88 = load i64, ptr %40, align 8
+  %89 = icmp sgt i64 %88, 0
+  br i1 %89, label %90, label %91
 
-121:                                              ; preds = %93
-  tail call fastcc void @settle(ptr noundef nonnull %28) #8
-  br label %122
+90:                                               ; preds = %87
+  tail call fastcc void @sample(ptr noundef nonnull %35) #8
+  br label %91
 
-122:                                              ; preds = %121, %93
-  %123 = load i64, ptr %62, align 8
-  %124 = icmp sgt i64 %123, 0
-  br i1 %124, label %125, label %126
+91:                                               ; preds = %87, %90
+  %92 = load ptr, ptr %10, align 8
+  %93 = load i64, ptr %92, align 8
+  %94 = load ptr, ptr %41, align 8
+  %95 = load ptr, ptr %36, align 8
+  %96 = load ptr, ptr %42, align 8
+  %97 = load ptr, ptr %43, align 8
+  %98 = load ptr, ptr %23, align 8
+  %99 = getelementptr inbounds i8, ptr %92, i64 8
+  %100 = load i64, ptr %99, align 8
+  %101 = getelementptr inbounds double, ptr %98, i64 %100
+  %102 = inttoptr i64 %93 to ptr
+  %103 = load ptr, ptr %102, align 8
+  %104 = tail call i32 %103(ptr noundef %94, ptr noundef %95, ptr noundef %96, ptr noundef %97, ptr noundef %101) #9
+  %105 = load double, ptr %29, align 8
+  %106 = fmul double %105, %15
+  %107 = fcmp ogt double %106, 0.000000e+00
+  %108 = select i1 %107, double %54, double %48
+  %109 = select i1 %107, double %49, double %54
+  br i1 %57, label %47, label %110
 
-125:                                              ; preds = %122
-  tail call fastcc void @sample(ptr noundef nonnull %28) #8
-  br label %126
+110:                                              ; preds = %52, %91, %47
+  %111 = phi double [ %48, %52 ], [ %108, %91 ], [ %48, %47 ]
+  %112 = phi double [ %49, %52 ], [ %109, %91 ], [ %49, %47 ]
+  store double %112, ptr %9, align 8
+  store double %111, ptr %8, align 8
+  br label %113
 
-126:                                              ; preds = %122, %125
-  %127 = load ptr, ptr %8, align 8
-  %128 = load i64, ptr %127, align 8
-  %129 = load ptr, ptr %69, align 8
-  %130 = load ptr, ptr %29, align 8
-  %131 = load ptr, ptr %72, align 8
-  %132 = load ptr, ptr %74, align 8
-  %133 = load ptr, ptr %14, align 8
-  %134 = getelementptr inbounds i8, ptr %127, i64 8
-  %135 = load i64, ptr %134, align 8
-  %136 = getelementptr inbounds double, ptr %133, i64 %135
-  %137 = inttoptr i64 %128 to ptr
-  %138 = load ptr, ptr %137, align 8
-  %139 = tail call i32 %138(ptr noundef %129, ptr noundef %130, ptr noundef %131, ptr noundef %132, ptr noundef %136) #9
-  %140 = load double, ptr %20, align 8
-  %141 = fmul double %140, %13
-  %142 = fcmp ogt double %141, 0.000000e+00
-  br i1 %142, label %143, label %86, !llvm.loop !30
+113:                                              ; preds = %110, %44
+  %114 = phi double [ %112, %110 ], [ %46, %44 ]
+  ret double %114
+}
 
-143:                                              ; preds = %126, %86
-  %144 = phi double [ %4, %86 ], [ %90, %126 ]
-  br i1 %92, label %145, label %214
+define internal fastcc range(i32 0, 2) i32 @departs(ptr noundef readonly %0, ptr noundef readonly %1, double noundef %2, double noundef %3, double noundef %4, double noundef %5, double noundef %6, i64 noundef %7) unnamed_addr #2 {
+  %9 = alloca double, align 8
+  %10 = alloca double, align 8
+  store double %4, ptr %9, align 8
+  store double %5, ptr %10, align 8
+  %11 = fadd double %2, %3
+  %12 = tail call double @llvm.fabs.f64(double %11)
+  %13 = tail call double @llvm.fabs.f64(double %2)
+  %14 = fcmp ogt double %12, %13
+  %15 = select i1 %14, double %12, double %13
+  %16 = fmul double %15, 0x3CB0000000000000
+  %17 = fdiv double %16, %3
+  %18 = getelementptr inbounds i8, ptr %0, i64 936
+  %19 = load ptr, ptr %18, align 8
+  %20 = getelementptr inbounds i64, ptr %19, i64 %7
+  %21 = load i64, ptr %20, align 8
+  %22 = sitofp i64 %21 to double
+  %23 = fmul double %22, %6
+  %24 = fcmp olt double %23, 0.000000e+00
+  br i1 %24, label %25, label %32
 
-145:                                              ; preds = %143, %66
-  %146 = phi double [ %5, %66 ], [ %87, %143 ]
-  %147 = phi double [ %4, %66 ], [ %144, %143 ]
-  br label %148
+25:                                               ; preds = %8
+  %26 = call fastcc i32 @comes_to_side(ptr noundef %0, ptr noundef %1, double noundef %2, double noundef %3, ptr noundef nonnull %9, ptr noundef nonnull %10, double noundef %17, i64 noundef %7) #8
+  %27 = icmp eq i32 %26, 0
+  br i1 %27, label %28, label %32
 
-148:                                              ; preds = %145, %211
-  %149 = phi double [ %212, %211 ], [ %146, %145 ]
-  %150 = phi double [ %213, %211 ], [ %147, %145 ]
-  %151 = fsub double %149, %150
-  %152 = fcmp ogt double %151, %27
-  br i1 %152, label %153, label %214
+28:                                               ; preds = %25
+  %29 = tail call fastcc double @turning_place(ptr noundef %0, ptr noundef %1, double noundef %2, double noundef %3, double noundef %4, double noundef %5, double noundef %17, i64 noundef %7) #8
+  %30 = fcmp oeq double %29, 2.000000e+00
+  %31 = zext i1 %30 to i32
+  br label %32
 
-153:                                              ; preds = %148
-  %154 = fmul double %151, 5.000000e-01
-  %155 = fadd double %150, %154
-  %156 = fcmp une double %155, %150
-  %157 = fcmp une double %155, %149
-  %158 = and i1 %156, %157
-  br i1 %158, label %159, label %211
-
-159:                                              ; preds = %153
-  %160 = load ptr, ptr %29, align 8
-  %161 = load ptr, ptr %31, align 8
-  %162 = getelementptr inbounds i8, ptr %161, i64 96
-  %163 = load ptr, ptr %162, align 8
-  %164 = insertelement <8 x double> poison, double %155, i64 0
-  %165 = shufflevector <8 x double> %164, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %165, ptr %163, align 8
-  %166 = load ptr, ptr %161, align 8
-  %167 = getelementptr inbounds i8, ptr %161, i64 192
-  %168 = load ptr, ptr %167, align 8
-  %169 = getelementptr inbounds i8, ptr %161, i64 8
-  %170 = load i64, ptr %169, align 8
-  %171 = load ptr, ptr %1, align 8
-  %172 = load ptr, ptr %171, align 8
-  %173 = getelementptr inbounds i8, ptr %172, i64 24
-  %174 = load i64, ptr %173, align 8
-  %175 = load ptr, ptr %162, align 8
-  %176 = load ptr, ptr %47, align 8
-  %177 = load ptr, ptr %176, align 8
-  %178 = getelementptr inbounds i8, ptr %177, i64 16
-  %179 = load i64, ptr %178, align 8
-  tail call fastcc void @nested(ptr noundef %160, ptr noundef %166, ptr noundef %168, i64 noundef %170, i64 noundef %174, ptr noundef %175, i64 noundef %179) #8
-  %180 = fmul double %155, %3
-  %181 = fadd double %180, %2
-  %182 = load ptr, ptr %54, align 8
-  store double %181, ptr %182, align 8
-  %183 = load ptr, ptr %28, align 8
-  %184 = getelementptr inbounds i8, ptr %183, i64 40
-  %185 = load i64, ptr %184, align 8
-  %186 = icmp eq i64 %185, 0
-  br i1 %186, label %188, label %187
-
-187:                                              ; preds = %159
-  tail call fastcc void @settle(ptr noundef nonnull %28) #8
-  br label %188
-
-188:                                              ; preds = %187, %159
-  %189 = load i64, ptr %62, align 8
-  %190 = icmp sgt i64 %189, 0
-  br i1 %190, label %191, label %192
-
-191:                                              ; preds = %188
-  tail call fastcc void @sample(ptr noundef nonnull %28) #8
-  br label %192
-
-192:                                              ; preds = %188, %191
-  %193 = load ptr, ptr %8, align 8
-  %194 = load i64, ptr %193, align 8
-  %195 = load ptr, ptr %69, align 8
-  %196 = load ptr, ptr %29, align 8
-  %197 = load ptr, ptr %72, align 8
-  %198 = load ptr, ptr %74, align 8
-  %199 = load ptr, ptr %14, align 8
-  %200 = getelementptr inbounds i8, ptr %193, i64 8
-  %201 = load i64, ptr %200, align 8
-  %202 = getelementptr inbounds double, ptr %199, i64 %201
-  %203 = inttoptr i64 %194 to ptr
-  %204 = load ptr, ptr %203, align 8
-  %205 = tail call i32 %204(ptr noundef %195, ptr noundef %196, ptr noundef %197, ptr noundef %198, ptr noundef %202) #9
-  %206 = load double, ptr %20, align 8
-  %207 = fmul double %206, %13
-  %208 = fcmp ogt double %207, 0.000000e+00
-  %209 = select i1 %208, double %149, double %155
-  %210 = select i1 %208, double %155, double %150
-  br label %211
-
-211:                                              ; preds = %153, %192
-  %212 = phi double [ %209, %192 ], [ %149, %153 ]
-  %213 = phi double [ %210, %192 ], [ %150, %153 ]
-  br i1 %158, label %148, label %214
-
-214:                                              ; preds = %148, %211, %143
-  %215 = phi double [ %4, %143 ], [ %212, %211 ], [ %149, %148 ]
-  ret double %215
+32:                                               ; preds = %28, %25, %8
+  %33 = phi i32 [ 0, %25 ], [ 0, %8 ], [ %31, %28 ]
+  ret i32 %33
 }
 
 define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, i64 noundef %3, i64 noundef %4, ptr noundef readonly %5, i64 noundef %6) unnamed_addr #3 {
@@ -2327,7 +2281,7 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   store <8 x double> %29, ptr %26, align 8
   %30 = add nuw nsw i64 %21, 8
   %31 = icmp slt i64 %30, %10
-  br i1 %31, label %20, label %19, !llvm.loop !31
+  br i1 %31, label %20, label %19, !llvm.loop !30
 
 32:                                               ; preds = %20, %32
   %33 = phi i64 [ %42, %32 ], [ %16, %20 ]
@@ -2341,7 +2295,7 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   %41 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %39, <8 x double> %34, <8 x double> %40)
   %42 = add nsw i64 %33, -1
   %43 = icmp sgt i64 %33, 0
-  br i1 %43, label %32, label %24, !llvm.loop !32
+  br i1 %43, label %32, label %24, !llvm.loop !31
 }
 
 declare <8 x double> @llvm.fma.v8f64(<8 x double>, <8 x double>, <8 x double>) #4
@@ -2378,7 +2332,7 @@ define internal fastcc void @settle(ptr noundef readonly %0) unnamed_addr #5 {
   %26 = select i1 %24, i64 %20, i64 %18
   %27 = select i1 %24, i64 %17, i64 %25
   %28 = icmp slt i64 %27, %26
-  br i1 %28, label %16, label %29, !llvm.loop !33
+  br i1 %28, label %16, label %29, !llvm.loop !32
 
 29:                                               ; preds = %16, %1
   %30 = phi i64 [ 0, %1 ], [ %27, %16 ]
@@ -2487,7 +2441,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #5 {
   %58 = select i1 %56, i64 %53, i64 %50
   %59 = sub nsw i64 %58, %57
   %60 = icmp sgt i64 %59, 1
-  br i1 %60, label %49, label %61, !llvm.loop !34
+  br i1 %60, label %49, label %61, !llvm.loop !33
 
 61:                                               ; preds = %49, %47, %40, %43
   %62 = phi i64 [ %36, %43 ], [ %36, %40 ], [ 0, %47 ], [ %57, %49 ]
@@ -2519,7 +2473,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #5 {
   %86 = add nuw nsw i64 %15, 1
   %87 = load i64, ptr %2, align 8
   %88 = icmp slt i64 %86, %87
-  br i1 %88, label %14, label %13, !llvm.loop !35
+  br i1 %88, label %14, label %13, !llvm.loop !34
 }
 
 declare double @llvm.fabs.f64(double) #4
@@ -2592,7 +2546,7 @@ define internal fastcc double @least_place(ptr noundef readonly %0, ptr noundef 
   %69 = add nuw nsw i32 %82, 1
   %70 = icmp ugt i32 %82, 18
   %71 = icmp eq i32 %69, 20
-  br i1 %71, label %214, label %72, !llvm.loop !36
+  br i1 %71, label %214, label %72, !llvm.loop !35
 
 72:                                               ; preds = %35, %68
   %73 = phi i1 [ false, %35 ], [ %70, %68 ]
@@ -2799,6 +2753,298 @@ define internal fastcc double @least_place(ptr noundef readonly %0, ptr noundef 
   ret double %218
 }
 
+define internal fastcc range(i32 0, 2) i32 @comes_to_side(ptr noundef readonly %0, ptr noundef readonly %1, double noundef %2, double noundef %3, ptr noundef %4, ptr noundef %5, double noundef %6, i64 noundef %7) unnamed_addr #2 {
+  %9 = getelementptr inbounds i8, ptr %0, i64 768
+  %10 = getelementptr inbounds i8, ptr %0, i64 936
+  %11 = load ptr, ptr %10, align 8
+  %12 = getelementptr inbounds i64, ptr %11, i64 %7
+  %13 = load i64, ptr %12, align 8
+  %14 = sitofp i64 %13 to double
+  %15 = load double, ptr %4, align 8
+  %16 = getelementptr inbounds i8, ptr %0, i64 984
+  %17 = load ptr, ptr %16, align 8
+  %18 = load ptr, ptr %9, align 8
+  %19 = getelementptr inbounds i8, ptr %18, i64 8
+  %20 = load i64, ptr %19, align 8
+  %21 = getelementptr inbounds double, ptr %17, i64 %20
+  %22 = getelementptr inbounds double, ptr %21, i64 %7
+  %23 = getelementptr inbounds i8, ptr %0, i64 144
+  %24 = getelementptr inbounds i8, ptr %0, i64 1032
+  %25 = load ptr, ptr %24, align 8
+  %26 = getelementptr inbounds i8, ptr %1, i64 16
+  %27 = load ptr, ptr %26, align 8
+  %28 = getelementptr inbounds i8, ptr %27, i64 96
+  %29 = load ptr, ptr %28, align 8
+  %30 = insertelement <8 x double> poison, double %15, i64 0
+  %31 = shufflevector <8 x double> %30, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %31, ptr %29, align 8
+  %32 = load ptr, ptr %27, align 8
+  %33 = getelementptr inbounds i8, ptr %27, i64 192
+  %34 = load ptr, ptr %33, align 8
+  %35 = getelementptr inbounds i8, ptr %27, i64 8
+  %36 = load i64, ptr %35, align 8
+  %37 = load ptr, ptr %1, align 8
+  %38 = load ptr, ptr %37, align 8
+  %39 = getelementptr inbounds i8, ptr %38, i64 24
+  %40 = load i64, ptr %39, align 8
+  %41 = load ptr, ptr %28, align 8
+  %42 = getelementptr inbounds i8, ptr %1, i64 8
+  %43 = load ptr, ptr %42, align 8
+  %44 = load ptr, ptr %43, align 8
+  %45 = getelementptr inbounds i8, ptr %44, i64 16
+  %46 = load i64, ptr %45, align 8
+  tail call fastcc void @nested(ptr noundef %25, ptr noundef %32, ptr noundef %34, i64 noundef %36, i64 noundef %40, ptr noundef %41, i64 noundef %46) #8
+  %47 = fmul double %15, %3
+  %48 = fadd double %47, %2
+  %49 = getelementptr inbounds i8, ptr %0, i64 168
+  %50 = load ptr, ptr %49, align 8
+  store double %48, ptr %50, align 8
+  %51 = load ptr, ptr %23, align 8
+  %52 = getelementptr inbounds i8, ptr %51, i64 40
+  %53 = load i64, ptr %52, align 8
+  %54 = icmp eq i64 %53, 0
+  br i1 %54, label %56, label %55
+
+55:                                               ; preds = %8
+  tail call fastcc void @settle(ptr noundef nonnull %23) #8
+  br label %56
+
+56:                                               ; preds = %55, %8
+  %57 = getelementptr inbounds i8, ptr %0, i64 248
+  %58 = load i64, ptr %57, align 8
+  %59 = icmp sgt i64 %58, 0
+  br i1 %59, label %60, label %61
+
+60:                                               ; preds = %56
+  tail call fastcc void @sample(ptr noundef nonnull %23) #8
+  br label %61
+
+61:                                               ; preds = %56, %60
+  %62 = load ptr, ptr %9, align 8
+  %63 = load i64, ptr %62, align 8
+  %64 = getelementptr inbounds i8, ptr %0, i64 168
+  %65 = load ptr, ptr %64, align 8
+  %66 = load ptr, ptr %24, align 8
+  %67 = getelementptr inbounds i8, ptr %0, i64 192
+  %68 = load ptr, ptr %67, align 8
+  %69 = getelementptr inbounds i8, ptr %0, i64 792
+  %70 = load ptr, ptr %69, align 8
+  %71 = load ptr, ptr %16, align 8
+  %72 = getelementptr inbounds i8, ptr %62, i64 8
+  %73 = load i64, ptr %72, align 8
+  %74 = getelementptr inbounds double, ptr %71, i64 %73
+  %75 = inttoptr i64 %63 to ptr
+  %76 = load ptr, ptr %75, align 8
+  %77 = tail call i32 %76(ptr noundef %65, ptr noundef %66, ptr noundef %68, ptr noundef %70, ptr noundef %74) #9
+  %78 = load double, ptr %22, align 8
+  %79 = fmul double %78, %14
+  %80 = fcmp ugt double %79, 0.000000e+00
+  br i1 %80, label %146, label %81
+
+81:                                               ; preds = %61
+  %82 = load double, ptr %5, align 8
+  %83 = fsub double %82, %15
+  %84 = fmul double %83, 5.000000e-01
+  %85 = fadd double %15, %84
+  %86 = fsub double %85, %15
+  %87 = fcmp olt double %86, %6
+  br i1 %87, label %146, label %88
+
+88:                                               ; preds = %81, %140
+  %89 = phi double [ %143, %140 ], [ %85, %81 ]
+  %90 = load ptr, ptr %24, align 8
+  %91 = load ptr, ptr %26, align 8
+  %92 = getelementptr inbounds i8, ptr %91, i64 96
+  %93 = load ptr, ptr %92, align 8
+  %94 = insertelement <8 x double> poison, double %89, i64 0
+  %95 = shufflevector <8 x double> %94, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %95, ptr %93, align 8
+  %96 = load ptr, ptr %91, align 8
+  %97 = getelementptr inbounds i8, ptr %91, i64 192
+  %98 = load ptr, ptr %97, align 8
+  %99 = getelementptr inbounds i8, ptr %91, i64 8
+  %100 = load i64, ptr %99, align 8
+  %101 = load ptr, ptr %1, align 8
+  %102 = load ptr, ptr %101, align 8
+  %103 = getelementptr inbounds i8, ptr %102, i64 24
+  %104 = load i64, ptr %103, align 8
+  %105 = load ptr, ptr %92, align 8
+  %106 = load ptr, ptr %42, align 8
+  %107 = load ptr, ptr %106, align 8
+  %108 = getelementptr inbounds i8, ptr %107, i64 16
+  %109 = load i64, ptr %108, align 8
+  tail call fastcc void @nested(ptr noundef %90, ptr noundef %96, ptr noundef %98, i64 noundef %100, i64 noundef %104, ptr noundef %105, i64 noundef %109) #8
+  %110 = fmul double %89, %3
+  %111 = fadd double %110, %2
+  %112 = load ptr, ptr %49, align 8
+  store double %111, ptr %112, align 8
+  %113 = load ptr, ptr %23, align 8
+  %114 = getelementptr inbounds i8, ptr %113, i64 40
+  %115 = load i64, ptr %114, align 8
+  %116 = icmp eq i64 %115, 0
+  br i1 %116, label %118, label %117
+
+117:                                              ; preds = %88
+  tail call fastcc void @settle(ptr noundef nonnull %23) #8
+  br label %118
+
+118:                                              ; preds = %117, %88
+  %119 = load i64, ptr %57, align 8
+  %120 = icmp sgt i64 %119, 0
+  br i1 %120, label %121, label %122
+
+121:                                              ; preds = %118
+  tail call fastcc void @sample(ptr noundef nonnull %23) #8
+  br label %122
+
+122:                                              ; preds = %118, %121
+  %123 = load ptr, ptr %9, align 8
+  %124 = load i64, ptr %123, align 8
+  %125 = load ptr, ptr %64, align 8
+  %126 = load ptr, ptr %24, align 8
+  %127 = load ptr, ptr %67, align 8
+  %128 = load ptr, ptr %69, align 8
+  %129 = load ptr, ptr %16, align 8
+  %130 = getelementptr inbounds i8, ptr %123, i64 8
+  %131 = load i64, ptr %130, align 8
+  %132 = getelementptr inbounds double, ptr %129, i64 %131
+  %133 = inttoptr i64 %124 to ptr
+  %134 = load ptr, ptr %133, align 8
+  %135 = tail call i32 %134(ptr noundef %125, ptr noundef %126, ptr noundef %127, ptr noundef %128, ptr noundef %132) #9
+  %136 = load double, ptr %22, align 8
+  %137 = fmul double %136, %14
+  %138 = fcmp ogt double %137, 0.000000e+00
+  br i1 %138, label %139, label %140
+
+139:                                              ; preds = %122
+  store double %89, ptr %4, align 8
+  br label %146
+
+140:                                              ; preds = %122
+  store double %89, ptr %5, align 8
+  %141 = fsub double %89, %15
+  %142 = fmul double %141, 5.000000e-01
+  %143 = fadd double %15, %142
+  %144 = fsub double %143, %15
+  %145 = fcmp olt double %144, %6
+  br i1 %145, label %146, label %88, !llvm.loop !36
+
+146:                                              ; preds = %140, %81, %139, %61
+  %147 = phi i32 [ 1, %61 ], [ 1, %139 ], [ 0, %81 ], [ 0, %140 ]
+  ret i32 %147
+}
+
+define internal fastcc double @turning_place(ptr noundef readonly %0, ptr noundef readonly %1, double noundef %2, double noundef %3, double noundef %4, double noundef %5, double noundef %6, i64 noundef %7) unnamed_addr #2 {
+  %9 = getelementptr inbounds i8, ptr %0, i64 768
+  %10 = getelementptr inbounds i8, ptr %0, i64 144
+  %11 = getelementptr inbounds i8, ptr %0, i64 1032
+  %12 = getelementptr inbounds i8, ptr %1, i64 16
+  %13 = getelementptr inbounds i8, ptr %1, i64 8
+  %14 = getelementptr inbounds i8, ptr %0, i64 168
+  %15 = getelementptr inbounds i8, ptr %0, i64 248
+  %16 = getelementptr inbounds i8, ptr %0, i64 168
+  %17 = getelementptr inbounds i8, ptr %0, i64 192
+  %18 = getelementptr inbounds i8, ptr %0, i64 1152
+  %19 = getelementptr inbounds i8, ptr %0, i64 1200
+  %20 = getelementptr inbounds i8, ptr %0, i64 936
+  br label %21
+
+21:                                               ; preds = %89, %8
+  %22 = phi double [ 2.000000e+00, %8 ], [ %90, %89 ]
+  %23 = phi double [ %5, %8 ], [ %91, %89 ]
+  %24 = phi double [ undef, %8 ], [ %88, %89 ]
+  %25 = load ptr, ptr %11, align 8
+  %26 = load ptr, ptr %12, align 8
+  %27 = getelementptr inbounds i8, ptr %26, i64 96
+  %28 = load ptr, ptr %27, align 8
+  %29 = insertelement <8 x double> poison, double %23, i64 0
+  %30 = shufflevector <8 x double> %29, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %30, ptr %28, align 8
+  %31 = load ptr, ptr %26, align 8
+  %32 = getelementptr inbounds i8, ptr %26, i64 192
+  %33 = load ptr, ptr %32, align 8
+  %34 = getelementptr inbounds i8, ptr %26, i64 8
+  %35 = load i64, ptr %34, align 8
+  %36 = load ptr, ptr %1, align 8
+  %37 = load ptr, ptr %36, align 8
+  %38 = getelementptr inbounds i8, ptr %37, i64 24
+  %39 = load i64, ptr %38, align 8
+  %40 = load ptr, ptr %27, align 8
+  %41 = load ptr, ptr %13, align 8
+  %42 = load ptr, ptr %41, align 8
+  %43 = getelementptr inbounds i8, ptr %42, i64 16
+  %44 = load i64, ptr %43, align 8
+  tail call fastcc void @nested(ptr noundef %25, ptr noundef %31, ptr noundef %33, i64 noundef %35, i64 noundef %39, ptr noundef %40, i64 noundef %44) #8
+  %45 = fmul double %23, %3
+  %46 = fadd double %45, %2
+  %47 = load ptr, ptr %14, align 8
+  store double %46, ptr %47, align 8
+  %48 = load ptr, ptr %10, align 8
+  %49 = getelementptr inbounds i8, ptr %48, i64 40
+  %50 = load i64, ptr %49, align 8
+  %51 = icmp eq i64 %50, 0
+  br i1 %51, label %53, label %52
+
+52:                                               ; preds = %21
+  tail call fastcc void @settle(ptr noundef nonnull %10) #8
+  br label %53
+
+53:                                               ; preds = %52, %21
+  %54 = load i64, ptr %15, align 8
+  %55 = icmp sgt i64 %54, 0
+  br i1 %55, label %56, label %57
+
+56:                                               ; preds = %53
+  tail call fastcc void @sample(ptr noundef nonnull %10) #8
+  br label %57
+
+57:                                               ; preds = %56, %53
+  %58 = load ptr, ptr %9, align 8
+  %59 = getelementptr inbounds i8, ptr %58, i64 56
+  %60 = load i64, ptr %59, align 8
+  %61 = load ptr, ptr %16, align 8
+  %62 = load ptr, ptr %11, align 8
+  %63 = load ptr, ptr %17, align 8
+  %64 = load ptr, ptr %18, align 8
+  %65 = load ptr, ptr %19, align 8
+  %66 = inttoptr i64 %60 to ptr
+  %67 = load ptr, ptr %66, align 8
+  %68 = tail call i32 %67(ptr noundef %61, ptr noundef %62, ptr noundef %63, ptr noundef %64, ptr noundef %65) #9
+  %69 = icmp eq i32 %68, 0
+  br i1 %69, label %70, label %81
+
+70:                                               ; preds = %57
+  %71 = load ptr, ptr %19, align 8
+  %72 = getelementptr inbounds double, ptr %71, i64 %7
+  %73 = load double, ptr %72, align 8
+  %74 = load ptr, ptr %20, align 8
+  %75 = getelementptr inbounds i64, ptr %74, i64 %7
+  %76 = load i64, ptr %75, align 8
+  %77 = sitofp i64 %76 to double
+  %78 = fmul double %73, %77
+  %79 = fcmp ogt double %78, 0.000000e+00
+  %80 = zext i1 %79 to i32
+  br label %81
+
+81:                                               ; preds = %57, %70
+  %82 = phi i32 [ 0, %57 ], [ %80, %70 ]
+  %83 = icmp eq i32 %82, 0
+  %84 = select i1 %83, double %4, double %22
+  %85 = fsub double %23, %4
+  %86 = fmul double %85, 5.000000e-01
+  %87 = fcmp uge double %86, %6
+  %88 = select i1 %87, double %24, double %84
+  br i1 %87, label %89, label %92
+
+89:                                               ; preds = %81
+  %90 = select i1 %83, double %23, double %22
+  %91 = fadd double %86, %4
+  br label %21, !llvm.loop !37
+
+92:                                               ; preds = %81
+  ret double %88
+}
+
 declare i32 @llvm.smin.i32(i32, i32) #6
 
 attributes #0 = { nounwind }
@@ -2843,10 +3089,11 @@ attributes #9 = { nounwind }
 !27 = distinct !{!27, !4, !5}
 !28 = distinct !{!28, !4, !5}
 !29 = distinct !{!29, !4, !5}
-!30 = distinct !{!30, !5}
+!30 = distinct !{!30, !4, !5}
 !31 = distinct !{!31, !4, !5}
 !32 = distinct !{!32, !4, !5}
 !33 = distinct !{!33, !4, !5}
 !34 = distinct !{!34, !4, !5}
 !35 = distinct !{!35, !4, !5}
-!36 = distinct !{!36, !4, !5}
+!36 = distinct !{!36, !5}
+!37 = distinct !{!37, !5}

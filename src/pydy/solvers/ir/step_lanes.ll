@@ -1,4 +1,4 @@
-; sources 72c2629e25e48aeff376870fa33cb497b481191adc88bf5f83bf20c5f38fa120
+; sources 6679f04aa8fe3d915ca5afcdf91e46f2e94d7c793d32eaf6106a0e4faec0228c
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }
@@ -3834,7 +3834,7 @@ define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1
   %86 = phi i64 [ 0, %77 ], [ %90, %83 ]
   %87 = getelementptr inbounds i64, ptr %79, i64 %84
   %88 = load i64, ptr %87, align 8
-  %89 = icmp ne i64 %88, 0
+  %89 = icmp sgt i64 %88, 0
   %90 = select i1 %89, i64 %84, i64 %86
   %91 = zext i1 %89 to i64
   %92 = add nuw nsw i64 %85, %91

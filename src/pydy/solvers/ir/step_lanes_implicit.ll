@@ -1,4 +1,4 @@
-; sources fed96ebb3a54eed9365b06b249fb0d696f6852447e56c0608caf57b4124f7e10
+; sources eca84e0c24259c19e7894775b39b36680e230f5ec9cd3b6b104854aba1f15ff9
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }
@@ -4469,7 +4469,7 @@ define internal fastcc i64 @act_in_lanes(ptr noundef readonly %0, i64 noundef %1
   %86 = phi i64 [ 0, %77 ], [ %90, %83 ]
   %87 = getelementptr inbounds i64, ptr %79, i64 %84
   %88 = load i64, ptr %87, align 8
-  %89 = icmp ne i64 %88, 0
+  %89 = icmp sgt i64 %88, 0
   %90 = select i1 %89, i64 %84, i64 %86
   %91 = zext i1 %89 to i64
   %92 = add nuw nsw i64 %85, %91

@@ -259,14 +259,13 @@ class Integration(Workspace):
                     return self._end(Outcome.FINISHED)
                 if code == at.EVENT:
                     if self._act():
-                        return self._undo_repetition_at_end()
+                        return
                     state[at.SIZE] = self.options.step or 0.0
                 elif (
                     code == Outcome.EVENTS_ACCUMULATE
                     and (events := self.options.events) is not None
                 ):
-                    self._end(code, event=events.traits[self.watch.fired.argmax()].name)
-                    return self._undo_repetition_at_end()
+                    return self._end(code, event=events.traits[self.watch.fired.argmax()].name)
                 elif code == at.LOG_FULL:
                     self._empty_log()
                     state[at.SIZE] = self.options.step or 0.0
@@ -462,6 +461,7 @@ class Integration(Workspace):
             wrong = events.traits[k].direction == side
             self.watch.fired[k] = side != 0 and reaches[k] and not wrong and k not in recorded
         if self.watch.fired.any():
+            self.watch.fired[(distances < 0.0) & (rates * sides > 0.0)] = -1
             self._act()
 
     def _act(self) -> bool:
@@ -471,11 +471,11 @@ class Integration(Workspace):
         assert call is not None
         self._empty_log()
         t = float(self.progress.state[at.TIME])
-        fired = tuple(int(k) for k in np.flatnonzero(self.watch.fired))
+        fired = tuple(int(k) for k in np.flatnonzero(self.watch.fired > 0))
         self._note_times(fired, t)
         before = self.memory.x[: self.n].copy()
         forcing_times = {k: events.forcing_time(call, k, before, t) for k in fired}
-        zero = set(fired)
+        zero = {*np.flatnonzero(self.watch.fired).tolist()}  # those that depart from it, too
         for k in fired:
             after, n, event = before, self.states, events.traits[k]
             if event.resets and events.resets is not None:
@@ -519,32 +519,6 @@ class Integration(Workspace):
                 self._end(Outcome.EVENTS_ACCUMULATE, event=event.name)
                 return True
         return False
-
-    def _undo_repetition_at_end(self) -> None:
-        """Drop a repetition of an event that is due to rounding of the last time.
-
-        A step of a few roundings of the time may end while the expression still has the sign from
-        before the event.
-        """
-        t, last = float(self.progress.state[at.TIME]), float(self.progress.times[-1])
-        resolution = NO_LATER * ROUNDING * max(abs(t), self.span)
-        if (
-            self.code != Outcome.EVENTS_ACCUMULATE
-            or last - t > resolution
-            or (self.options.sensitivities is not None and self.options.recorded is None)
-        ):
-            return
-        self._empty_log()
-        event = self.records[-1].index
-        same = [r for r in self.records if r.index == event and r.time >= t - resolution]
-        if len(same) != 2 or len(self.records) < 2 or self.records[-2] is not same[0]:
-            return
-        self.memory.x[: self.states] = self.records.pop().before
-        self.progress.state[at.TIME] = last
-        self._take_sides({event})
-        self._rows[self.progress.counts[at.NEXT] : self._time_count] = self.memory.x[: self.n]
-        self.progress.counts[at.NEXT] = self._time_count
-        self._end(Outcome.FINISHED)
 
     def _moved_off_zero(
         self, before: np.ndarray, after: np.ndarray, projected: np.ndarray

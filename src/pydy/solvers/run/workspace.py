@@ -471,6 +471,7 @@ class Workspace:
         and if a jump of samples or a switch may cause an event.
         """
         call, resets, options = self.call, events.resets, self.options
+        rater, rates_c = self._bind_kernel(events.rates)
         bounding = options.sensitivities if options.recorded is not None else None
         width = self.n
         if bounding is not None and not bounding.controlled:  # events do not change it
@@ -478,12 +479,12 @@ class Workspace:
         augmented = options.constraints is not None or options.sensitivities is not bounding
         augmented = augmented or options.recorded not in (None, width)  # such as an integral
         if augmented or self.callbacks or call is None or call.inputs.sampled or resets is None:
-            return [0, 0, 0], np.zeros(1), np.zeros(1)
+            return [0, rater, 0], rates_c, np.zeros(1)
         if call.switched is not None:
-            return [0, 0, 0], np.zeros(1), np.zeros(1)
+            return [0, rater, 0], rates_c, np.zeros(1)
         if resets.addresses is None or events.rates.addresses is None:
-            return [0, 0, 0], np.zeros(1), np.zeros(1)
-        (rater, rates_c), (resetter, resets_c) = map(self._bind_kernel, (events.rates, resets))
+            return [0, rater, 0], rates_c, np.zeros(1)
+        resetter, resets_c = self._bind_kernel(resets)
         return [shipped.address_of("act_on_event"), rater, resetter], rates_c, resets_c
 
     def _reserve_newton(self) -> list[int]:
