@@ -515,7 +515,8 @@ class Integration(Workspace):
                     self._end(Outcome.EVENTS_ACCUMULATE, event=event.name)
                     return True
                 self.watch.sides[k] = side
-            if t - latest[k, 1] <= least or t - latest[k, -1] < CROWDED * self.span:
+            crowded = t - latest[k, 1] <= least or t - latest[k, -1] < CROWDED * self.span
+            if crowded and self.watch.acting[k] == 1:
                 self._end(Outcome.EVENTS_ACCUMULATE, event=event.name)
                 return True
         return False
