@@ -627,9 +627,11 @@ class Integration(Workspace):
             if acting and value is not None:
                 self._stop(Outcome.EVENT_JUMPS, event=name, value=value)
             if acting:
+                end = self._reported(float(self.progress.times[-1]))
+                lower = sensitivities.grazing_remedy(jump.lower, [*self.records, record], end)
                 self._stop(
                     Outcome.EVENT_GRAZES, event=name, depth=jump.depth, explained=jump.error,
-                    lower=sensitivities.grazing_remedy(jump.lower, [*self.records, record]),
+                    lower=lower,
                 )  # fmt: skip
             jump = jump._replace(time=np.full(sensitivities.columns, np.nan))
         table = sensitivities.table(before).copy()
