@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from pydy._integration import SensitivityRequest, integrate, simulate
+from pydy._motion import resolve_ode_solver
 from pydy.models import multi_mass_spring_damper
 from pydy.solvers import Event, dop853
 
@@ -60,3 +61,17 @@ def test_rates_of_a_segment_are_those_of_its_equations(problem):
     expected = problem.at(motion.times, motion.states).rates()[-1]
     np.testing.assert_array_equal(segment.rates(1.0, motion.states[-1]), expected)
     np.testing.assert_allclose(segment.dense(np.array([0.5]))[0], motion.states[1], rtol=1e-9)
+
+
+def test_a_motion_without_a_row_has_no_last_state(problem):
+    """An event function of SciPy that ends the motion before the first of the times."""
+
+    def moved(t, x):
+        return x[0] - 0.9
+
+    moved.terminal = True
+    options = {"solver": resolve_ode_solver("RK45"), "events": [moved], "t_eval": [3.0]}
+    motion = integrate(problem, np.linspace(0.0, 3.0, 4), **options)
+    assert motion.states.shape == (0, 2)
+    with pytest.raises(RuntimeError, match="ends: it ended before the first of the times"):
+        _ = motion.last

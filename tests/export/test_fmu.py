@@ -168,18 +168,26 @@ def test_a_motion_that_starts_on_a_surface_follows_the_table(tmp_path, hasty, ki
             assert result["n"][-1] == case.acts
 
 
-def test_crossings_follow_the_table(tmp_path, hasty):
+@pytest.mark.parametrize("fmi", VERSIONS)
+def test_crossings_follow_the_table(tmp_path, hasty, fmi):
     path = tmp_path / "crossings.fmu"
-    crossings.started(crossings.CASES[0]).export(path, events=crossings.events())
+    crossings.started(crossings.CASES[0]).export(path, events=crossings.events(), fmi=fmi)
     folder = fmpy.extract(path)
-    for case in crossings.CASES:
+
+    def last(case, kind):
         values = {str(symbol): value for symbol, value in crossings.numbers(case).items()}
         result = fmpy.simulate_fmu(
-            folder, fmi_type="CoSimulation", stop_time=case.end, output_interval=case.end / 8,
+            folder, fmi_type=kind, stop_time=case.end, output_interval=case.end / 8,
             start_values={**values, "h": case.h0, "v": case.v0}, output=["h", "v"],
-            relative_tolerance=1e-11, record_events=False,
+            relative_tolerance=1e-11, record_events=kind == "ModelExchange",
         )  # fmt: skip
-        crossings.check_end(case, [result["h"][-1], result["v"][-1]])
+        return [result["h"][-1], result["v"][-1]]
+
+    for case in crossings.CASES:
+        crossings.check_end(case, last(case, "CoSimulation"))
+        # An importer does not see a crossing and return within one of its steps, and stops late.
+        if case.acts and case.within == 1e-9:
+            np.testing.assert_allclose(last(case, "ModelExchange"), case.final, rtol=0, atol=1e-7)
 
 
 def test_a_terminal_event_ends_the_simulation(tmp_path, hasty):
@@ -547,6 +555,147 @@ def test_what_no_importer_sees_while_a_ball_bounces_is_not_lost(bouncing, kind):
     system.times = np.arange(0.0, 7.01, 0.25)
     expected = system.simulate(rtol=1e-10, atol=1e-10, events=bounce)["q"]
     assert result["q"] == pytest.approx(expected, abs=1e-4)
+
+
+class Importer:
+    """An importer of a unit for Model Exchange that is at the states of its choice."""
+
+    def __init__(self, folder, fmi, **starts):
+        description = fmpy.read_model_description(folder)
+        self.unit, self.fmi = fmpy.instantiate_fmu(folder, description, "ModelExchange"), fmi
+        self.names = {v.name: v.valueReference for v in description.modelVariables}
+        if fmi == "2.0":
+            self.unit.setupExperiment(startTime=0.0)
+        self.unit.enterInitializationMode()
+        self.set(**starts)
+        self.unit.exitInitializationMode()
+        assert not self.terminates()
+        self.unit.enterContinuousTimeMode()
+
+    def set(self, **values):
+        setter = self.unit.setReal if self.fmi == "2.0" else self.unit.setFloat64
+        setter([self.names[name] for name in values], [*values.values()])
+
+    def get(self, name):
+        getter = self.unit.getReal if self.fmi == "2.0" else self.unit.getFloat64
+        return getter([self.names[name]])[0]
+
+    def step(self, time, *states):
+        """Return whether the unit asks for an event after a step, and whether it terminates."""
+        self.unit.setTime(time)
+        self.unit.setContinuousStates((ctypes.c_double * len(states))(*states), len(states))
+        return tuple(map(bool, self.unit.completedIntegratorStep()))
+
+    def terminates(self):
+        """Let the unit handle its events, and return whether it terminates."""
+        update = "newDiscreteStates" if self.fmi == "2.0" else "updateDiscreteStates"
+        return bool(getattr(self.unit, update)()[1])
+
+    def happens(self):
+        self.unit.enterEventMode()
+        assert not self.terminates()
+        self.unit.enterContinuousTimeMode()
+
+    def close(self):
+        self.unit.terminate()
+        self.unit.freeInstance()
+
+
+def thrown(q, u, t):
+    return q + u * t - 9.81 * t**2 / 2, u - 9.81 * t
+
+
+@pytest.mark.parametrize("fmi", VERSIONS)
+@pytest.mark.parametrize("when", ["event", "step", "before"])
+def test_a_floor_that_leaps_above_a_rising_ball_knocks_it(bouncing, fmi, when):
+    """As where a sampled input jumps: the event happens at that time, by the jump."""
+    moment, end = 0.02, 0.1
+    height, speed = thrown(0.2, 0.5, moment)
+    importer = Importer(bouncing[fmi], fmi, d=0.0, e=0.5, q=0.2, u=0.5)
+    assert importer.step(moment / 2, *thrown(0.2, 0.5, moment / 2)) == (False, False)
+    if when == "before":  # at the start of a step
+        importer.set(d=0.3)
+        assert importer.step(moment, height, speed) == (True, False)
+    else:
+        assert importer.step(moment, height, speed) == (False, False)
+        importer.set(d=0.3)
+        if when == "step":  # one without duration
+            assert importer.step(moment, height, speed) == (True, False)
+    importer.happens()
+    assert importer.get("u") == -0.5 * speed
+    # It goes on below the floor, and meets that no more.
+    assert importer.step(end, *thrown(height, -0.5 * speed, end - moment)) == (False, False)
+    importer.happens()
+    assert importer.get("u") == pytest.approx(-0.5 * speed - 9.81 * (end - moment))
+    importer.close()
+
+
+@pytest.mark.parametrize("fmi", VERSIONS)
+def test_fmpy_lets_a_floor_leap_above_a_rising_ball(bouncing, fmi):
+    moment, end = 0.02, 0.1
+    height, speed = thrown(0.2, 0.5, moment)
+    rows = np.rec.fromarrays([[0.0, moment, end], [0.0, 0.3, 0.3]], names=["time", "d"])
+    result = fmpy.simulate_fmu(
+        bouncing[fmi], fmi_type="ModelExchange", stop_time=end, output_interval=moment, input=rows,
+        start_values={"d": 0.0, "e": 0.5, "q": 0.2}, output=["q", "u"], relative_tolerance=1e-10,
+    )  # fmt: skip
+    found = [result["q"][-1], result["u"][-1]]
+    assert found == pytest.approx(thrown(height, -0.5 * speed, end - moment), abs=1e-7)
+
+
+@pytest.mark.parametrize("fmi", VERSIONS)
+def test_a_floor_that_leaps_below_a_ball_that_bounces_is_no_event(bouncing, fmi):
+    importer = Importer(bouncing[fmi], fmi, d=0.0, e=0.5, q=1e-6, u=-1.0)
+    assert importer.step(2e-6, *thrown(1e-6, -1.0, 2e-6)) == (False, False)
+    importer.happens()
+    speed = importer.get("u")
+    assert speed == pytest.approx(0.5, abs=1e-4)
+    importer.set(d=-0.1)
+    importer.happens()
+    assert importer.get("u") == speed
+    importer.close()
+
+
+@pytest.mark.parametrize("fmi", VERSIONS)
+def test_a_flight_that_is_shorter_than_the_first_step_ends_in_a_bounce(bouncing, fmi):
+    """The ball leaves the floor at the start, where no indicator shows it above the floor."""
+    importer = Importer(bouncing[fmi], fmi, d=0.1, e=0.5, q=0.1, u=0.5)
+    height, speed = thrown(0.1, 0.5, 0.15)
+    assert height < 0.1
+    assert importer.step(0.15, height, speed) == (True, False)
+    importer.happens()
+    assert importer.get("u") == -0.5 * speed
+    # A later one does not, as the step of the importer has passed over events.
+    assert importer.step(1.0, *thrown(height, -0.5 * speed, 0.85)) == (True, True)
+    importer.close()
+
+
+def test_events_that_only_are_recorded_may_happen_as_often_as_they_like(tmp_path, hasty):
+    system, _ = bouncing_ball()
+    q = system.states[0]
+    path = system.export(tmp_path / "passes.fmu", events=Event(q, name="passes")).path
+    importer = Importer(fmpy.extract(path), "3.0", q=1.0)
+    for height in (-1e-9, 1e-9, -1e-9, 1e-9):  # at one time
+        importer.step(0.5, height, 0.0)
+        importer.happens()
+    importer.close()
+
+
+def test_a_step_too_short_for_the_time_is_an_error(tmp_path, hasty):
+    """The times near 1e9 s are 1e-7 s apart, and the period of the oscillation is 6e-9 s."""
+    folder = fmpy.extract(spring_of("k").export(tmp_path / "spring.fmu").path)
+    told, description = [], fmpy.read_model_description(folder)
+    unit = fmpy.instantiate_fmu(folder, description, "CoSimulation",
+                           logger=lambda *words: told.append(words[-1]))  # fmt: skip
+    [stiffness] = [v.valueReference for v in description.modelVariables if v.name == "k"]
+    unit.enterInitializationMode(startTime=1e9)
+    unit.setFloat64([stiffness], [1e18])
+    unit.exitInitializationMode()
+    with pytest.raises(fmpy.fmi1.FMICallException, match="DoStep failed"):
+        unit.doStep(1e9, 1.0)
+    assert b"step" in told[-1]
+    unit.terminate()
+    unit.freeInstance()
 
 
 RESETS = {

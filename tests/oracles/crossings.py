@@ -32,6 +32,7 @@ KINDS: dict[str, tuple[sm.Expr, int, dict]] = {
     "rises": (h, 1, {}),
     "falls": (h, -1, {}),
     "turns": (v, 0, {}),
+    "keeps": (v, 0, {"reset": {v: v}}),
     "lifts": (h, 0, {"reset": {h: h + LIFT * unit, v: -unit}}),
     "bounces": (h, -1, {"reset": {v: -sm.Rational(4, 5) * v}}),
     "rebounds": (h, 0, {"reset": {v: -sm.Rational(4, 5) * v}}),
@@ -59,6 +60,16 @@ class Case(NamedTuple):
     final: tuple[float, float]  # h and v at the last time, or where the motion ended
     within: float = 1e-9  # s; a crossing near a turning point is known less well
 
+    @property
+    def acts(self) -> bool:
+        """Whether an event changes the state or ends the motion."""
+        return any(KINDS[kind][2] for kind, _ in self.expected)
+
+    @property
+    def ends(self) -> bool:
+        """Whether a terminal event ends the motion."""
+        return any(KINDS[kind][2].get("terminal") for kind, _ in self.expected)
+
 
 def fall(h0: float, v0: float, duration: float) -> tuple[float, float]:
     """Return h and v after some time of free fall."""
@@ -70,12 +81,12 @@ def falls_for(height: float, speed: float = 0.0) -> float:
     return 2 * height / (speed + sqrt(speed**2 + 2 * GRAVITY * height))
 
 
-def passed_apex(name: str, share: float, within: float) -> Case:
+def passed_apex(name: str, share: float, within: float, turns: str = "turns") -> Case:
     """Throw a ball upwards at 3 m/s: it passes a level at a share of its apex twice."""
     apex, top = 3.0**2 / (2 * GRAVITY), 3.0 / GRAVITY
     half = falls_for((1 - share) * apex)
-    expected = [("passes", top - half), ("turns", top), ("passes", top + half)]
-    levels = {"passes": share * apex, "turns": 0.0}
+    expected = [("passes", top - half), (turns, top), ("passes", top + half)]
+    levels = {"passes": share * apex, turns: 0.0}
     return Case(name, 0.0, 3.0, -GRAVITY, 0.0, 0.55, levels, expected, fall(0, 3.0, 0.55), within)
 
 
@@ -161,6 +172,7 @@ CASES = [
     passed_apex("passes a level twice", 0.8, 1e-9),
     passed_apex("passes a level just below its apex", 0.9999, 1e-8),
     passed_apex("passes a level a hair below its apex", 1 - 1e-8, 1e-6),
+    passed_apex("passes a level just below an apex that a reset keeps", 0.9999, 1e-8, "keeps"),
     one_direction("rises", 1),
     one_direction("falls", -1),
     Case("meets two surfaces at once", 1.0, 0.0, -GRAVITY, 0.0, 0.4, {"passes": 0.5, "falls": 0.5},
@@ -254,5 +266,5 @@ def check_javascript(case: Case, run: dict) -> None:
     """Check what `simulate` of an exported module returns, its rows as lists."""
     happened = [(event["name"], event["time"]) for event in run["events"]]
     stopped = run["status"] == "stopped"
-    assert stopped is any(KINDS[kind][2].get("terminal") for kind, _ in case.expected)
+    assert stopped is case.ends
     check(case, happened, last=None if stopped else run["states"][-1])

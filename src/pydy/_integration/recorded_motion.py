@@ -148,7 +148,9 @@ class RecordedMotion:
                 self._refuse(Outcome.EVENT_JUMPS, record, value=value)
             else:  # a grazing event: its time has no derivative
                 earlier = [one for one in self.motion.events if one.time < t]
-                lower = CompiledSensitivities.grazing_remedy(lower, [*earlier, record])
+                accumulates = self.motion.statistics.get("code") == Outcome.EVENTS_ACCUMULATE
+                end = np.inf if accumulates else self.steps.end
+                lower = CompiledSensitivities.grazing_remedy(lower, [*earlier, record], end)
                 self._refuse(
                     Outcome.EVENT_GRAZES, record, depth=depth, explained=error, lower=lower
                 )

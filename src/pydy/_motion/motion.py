@@ -106,7 +106,8 @@ class Motion:
         Raises
         ------
         RuntimeError
-            If the integration failed between two of the times.
+            If no state is recorded there: the integration stopped between two of the times, or a
+            terminal event of a solver of SciPy came before the first one.
         """
         segment = self.segments[-1]
         if self.events and self.events[-1].time == segment.end:
@@ -115,8 +116,12 @@ class Motion:
             state = self.states[-1]
         else:
             raise RuntimeError(
-                f"The motion failed at t = {segment.end}, where no state is recorded; `times` and "
-                "`states` hold it up to there."
+                "No state is recorded where the motion ends: the integration stopped at "
+                f"t = {segment.end!r}, between two of the times; `times` and `states` hold it up "
+                "to there."
+                if len(self.times)
+                else "No state is recorded where the motion ends: it ended before the first of the "
+                "times."
             )
         return self.problem.replace(t=segment.end, x=state.copy(), modes=segment.modes)
 

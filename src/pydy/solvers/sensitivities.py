@@ -153,15 +153,21 @@ class CompiledSensitivities:
         return error, f"If it is to cross there, lower {' and '.join(changes)}. Otherwise omit"
 
     @staticmethod
-    def grazing_remedy(lower: str, records: Sequence[EventRecord]) -> str:
+    def grazing_remedy(lower: str, records: Sequence[EventRecord], end: float) -> str:
         """Return the start of a remedy for the last of these events, which grazes; usually `lower`.
 
         If the same event happened before at ever shorter intervals, as the bounces of a ball that
-        comes to rest, a lower tolerance only resolves a few more of infinitely many.
+        comes to rest, and these add up to less than the time that is left until `end`, a lower
+        tolerance only resolves a few more of infinitely many.
         """
         times = [record.time for record in records if record.index == records[-1].index]
         intervals = np.abs(np.diff(times[-4:]))
         if len(intervals) < 3 or not (np.diff(intervals) < 0.0).all():
+            return lower
+        # At most, by the larger ratio: those of a periodic event differ by errors only, and add up
+        # to very much.
+        ratio = (intervals[1:] / intervals[:-1]).max()
+        if not intervals[-1] * ratio / (1.0 - ratio) <= abs(end - times[-1]):
             return lower
         return (
             f"It is the number {len(times)} of these events, which follow each other at ever "

@@ -194,6 +194,7 @@ STATUS NAME(ExitInitializationMode)(void *instance)
 {
     SELF;
     take_sides(m);
+    remember_inputs(m);
     return told(self, update_rates(m), MASS_IS_SINGULAR);
 }
 

@@ -26,7 +26,8 @@ typedef struct {
     double t, x[NX + 1], u[NU + 1], p[NP + 1], prepared[NPREPARED];
     double rates[NX + 1], outputs[NY + 1], z[NE + 1], dz[NE + 1];
     int prepared_fresh, rates_fresh, outputs_fresh, running, starting;
-    int64_t sides[NE + 1], fired[NE + 1], off[NE + 1], seen[NE + 1];
+    int64_t sides[NE + 1], fired[NE + 1], off[NE + 1], seen[NE + 1], led[NE + 1];
+    double last_u[NU + 1], last_p[NP + 1]; /* after the last event or step of the importer */
     /* the outcome with which the motion has ended or failed, and the event, if it is one's */
     int64_t outcome, event;
     /* of the integration */
@@ -53,6 +54,7 @@ static void model_reset(Model *m)
     m->t = START_TIME;
     m->rtol = TOLERANCE;
     m->starting = 1;
+    m->counts[FAILURE] = STEP_UNDERFLOW;
     for (int k = 0; k < NE * CROWD; k++)
         m->latest[k] = -INFINITY;
 }
@@ -339,12 +341,12 @@ static int64_t act(Model *m)
                 return ends_with(m, RESET_NOT_FINITE, k);
         if (EVENT_TERMINAL[k] && terminal < 0)
             terminal = k;
-        if (is_crowded(m, k) && crowded < 0)
+        if (EVENT_ACTING[k] && is_crowded(m, k) && crowded < 0)
             crowded = k;
     }
     int64_t rests[NE];
     for (int k = 0; k < NE; k++)
-        rests[k] = fired[k] && EVENT_REDIRECTS[k] && !m->off[k];
+        rests[k] = fired[k] > 0 && EVENT_REDIRECTS[k] && !m->off[k];
     take_sides(m);
     if (terminal >= 0)
         return ends_with(m, TERMINATED, terminal);
@@ -405,23 +407,53 @@ static void note_seen(Model *m, int64_t how)
             m->seen[k] = how;
 }
 
-/* Tell, from m->z and m->dz, whether an event is across its surface but on its way back to the side that
-   it has left to. A reset that turns motions back would turn that one away. */
-static int returns(const Model *m, int k)
+static void remember_inputs(Model *m)
 {
-    return crossed(m->sides[k], m->z[k], EVENT_DIRECTIONS[k]) && m->dz[k] * (double)m->sides[k] > 0.0
-        && (m->seen[k] == UNSEEN || EVENT_REDIRECTS[k]);
+    memcpy(m->last_u, m->u, sizeof m->u);
+    memcpy(m->last_p, m->p, sizeof m->p);
+}
+
+/* Note the events that inputs or constants have led across their surfaces since the last event or step of
+   the importer: with their former values, the state would be on the side. */
+static void note_led(Model *m)
+{
+    double u[NU + 1], p[NP + 1], z[NE + 1];
+    const int tuned = memcmp(m->p, m->last_p, NP * sizeof(double)) != 0;
+    if (NE == 0 || (!tuned && memcmp(m->u, m->last_u, NU * sizeof(double)) == 0))
+        return;
+    memcpy(u, m->u, sizeof u), memcpy(p, m->p, sizeof p);
+    memcpy(m->u, m->last_u, sizeof u), memcpy(m->p, m->last_p, sizeof p);
+    m->prepared_fresh = m->prepared_fresh && !tuned;
+    event_values(m, m->t, m->x, z);
+    memcpy(m->u, u, sizeof u), memcpy(m->p, p, sizeof p);
+    m->prepared_fresh = m->prepared_fresh && !tuned;
+    for (int k = 0; k < NE; k++)
+        if (z[k] * (double)m->sides[k] > 0.0 && m->z[k] * (double)m->sides[k] < 0.0)
+            m->led[k] = 1;
+    remember_inputs(m);
+}
+
+/* Tell, from m->z and m->dz, whether an event moves to the side that it has left to, where it is not: it
+   has not been there since it was handled, or a reset that turns motions back would turn that one away.
+   What an input has led across was on its side. */
+static int departed(const Model *m, int k)
+{
+    const double side = (double)m->sides[k];
+    return m->z[k] * side < 0.0 && m->dz[k] * side > 0.0 && !m->led[k]
+        && (m->seen[k] == UNSEEN || (EVENT_REDIRECTS[k] && crossed(m->sides[k], m->z[k], EVENT_DIRECTIONS[k])));
 }
 
 static int is_across(const Model *m, int k)
 {
-    return crossed(m->sides[k], m->z[k], EVENT_DIRECTIONS[k]) && !returns(m, k);
+    return crossed(m->sides[k], m->z[k], EVENT_DIRECTIONS[k]) && !departed(m, k);
 }
 
 static void evaluate_events(Model *m)
 {
     event_values(m, m->t, m->x, m->z);
+    note_led(m);
 #if NE > 0
+    prepare(m);
     MODEL(event_rates)(m->t, m->x, m->u, m->prepared, m->dz);
 #endif
 }
@@ -434,12 +466,14 @@ static int64_t complete_step(Model *m, int *waits)
     int64_t outcome = FINISHED;
     evaluate_events(m);
     *waits = 0;
-    for (int k = 0; k < NE; k++)
-        if (EVENT_ACTING[k] && m->seen[k] < SEEN_AT_STEP && is_across(m, k)) {
+    for (int k = 0; k < NE; k++) {
+        m->led[k] = m->led[k] && m->z[k] * (double)m->sides[k] < 0.0;
+        if (EVENT_ACTING[k] && (m->led[k] || m->seen[k] < SEEN_AT_STEP) && is_across(m, k)) {
             *waits = 1;
-            if (m->seen[k] == UNSEEN)
+            if (m->seen[k] == UNSEEN && !m->led[k] && m->latest[k * CROWD] > -INFINITY)
                 outcome = ends_with(m, EVENTS_ACCUMULATE, k);
         }
+    }
     note_seen(m, SEEN_AT_STEP);
     return outcome;
 }
@@ -459,11 +493,11 @@ static int64_t handle_events(Model *m, int *moved)
         const double side = (double)m->sides[k];
         /* importers may stop exactly at the crossing */
         const int there = m->z[k] == 0.0 && m->dz[k] * side < 0.0 && EVENT_DIRECTIONS[k] != m->sides[k];
-        m->fired[k] = is_across(m, k) || there;
+        m->fired[k] = departed(m, k) ? DEPARTS : is_across(m, k) || there;
         was[k] = m->z[k];
-        sides[k] = returns(m, k) ? m->sides[k] : 0;
-        some = some || m->fired[k];
-        *moved = *moved || (m->fired[k] && EVENT_ACTING[k]);
+        sides[k] = m->fired[k] == DEPARTS ? m->sides[k] : 0;
+        some = some || m->fired[k] > 0;
+        *moved = *moved || (m->fired[k] > 0 && EVENT_ACTING[k]);
     }
     if (starting)
         outcome = start_events(m, moved);
@@ -474,7 +508,7 @@ static int64_t handle_events(Model *m, int *moved)
     for (int k = 0; k < NE; k++) {
         if (!starting && sides[k] != 0 && m->z[k] == was[k])
             m->sides[k] = sides[k];
-        m->seen[k] = UNSEEN; /* the importer begins anew */
+        m->seen[k] = UNSEEN, m->led[k] = 0; /* the importer begins anew */
     }
     note_seen(m, SEEN_AT_STEP);
     return outcome;

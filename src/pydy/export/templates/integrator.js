@@ -506,18 +506,20 @@ class Integration {
         this.leave(was, off);
       }
       ends = ends || events.terminal[k];
+      if (!events.acting[k]) continue;
       const same = records.filter((one) => one.index === k).slice(-CROWD), span = this.times[this.times.length - 1] - this.times[0];
       if (same.length >= 2 && t - same[same.length - 2].time <= NO_LATER * ROUNDING * Math.max(Math.abs(t), span)) crowded = true;
       if (same.length === CROWD && t - same[0].time < CROWDED * span) crowded = true;
     }
     if (!x.every(Number.isFinite)) return this.fail("a reset gave no finite state");
-    if (ends || crowded) this.status = "stopped";
+    if (ends) this.status = "stopped";
     else {
       const origins = Int8Array.from(this.sides), acted = fired.slice();
       for (const k of off) fired[k] = 0;
       this.takeSides();
       for (let k = 0; k < fired.length; k++)
         if (origins[k] && !acted[k] && Number.isNaN(this.values[k])) return this.fail(`the event ${events.names[k]} is NaN`);
+      if (crowded) this.status = "stopped";
       for (let k = 0; k < fired.length; k++) if (fired[k] > 0 && events.redirects[k] && this.isStationary(k)) {
         // At rest on the surface it happens again at once where its direction points to.
         const side = this.sides[k] = this.departure(k), direction = events.directions[k];

@@ -515,7 +515,8 @@ class Integration(Workspace):
                     self._end(Outcome.EVENTS_ACCUMULATE, event=event.name)
                     return True
                 self.watch.sides[k] = side
-            if t - latest[k, 1] <= least or t - latest[k, -1] < CROWDED * self.span:
+            crowded = t - latest[k, 1] <= least or t - latest[k, -1] < CROWDED * self.span
+            if crowded and self.watch.acting[k] == 1:
                 self._end(Outcome.EVENTS_ACCUMULATE, event=event.name)
                 return True
         return False
@@ -626,9 +627,11 @@ class Integration(Workspace):
             if acting and value is not None:
                 self._stop(Outcome.EVENT_JUMPS, event=name, value=value)
             if acting:
+                end = self._reported(float(self.progress.times[-1]))
+                lower = sensitivities.grazing_remedy(jump.lower, [*self.records, record], end)
                 self._stop(
                     Outcome.EVENT_GRAZES, event=name, depth=jump.depth, explained=jump.error,
-                    lower=sensitivities.grazing_remedy(jump.lower, [*self.records, record]),
+                    lower=lower,
                 )  # fmt: skip
             jump = jump._replace(time=np.full(sensitivities.columns, np.nan))
         table = sensitivities.table(before).copy()
