@@ -123,3 +123,22 @@ def test_constraints_that_jump_in_time_are_told(row, what):
         return
     with pytest.warns(PyDyUserWarning, match=what), suppress(IntegrationError):
         system.simulate(constraints="project")
+
+
+@pytest.mark.parametrize(
+    "drag",
+    [
+        lambda v: -sm.Max(v, 0) - sm.Min(v, 0),
+        lambda v: -sm.Abs(v) * sm.sign(v),
+        lambda v: -sm.Symbol("c1") * sm.Max(v, 0) - sm.Symbol("c2") * sm.Min(v, 0),
+    ],
+)
+def test_a_slope_that_both_sides_have_but_not_the_tie_is_told(drag):
+    frame, origin = inertial_frame()
+    place = origin.locatenew("P", X * frame.x)
+    place.set_vel(frame, V * frame.x)
+    bodies, loads = [me.Particle("b", place, 1)], [(place, drag(V) * frame.x)]
+    system = System(Definition(frame, [X], [V], bodies=bodies, loads=loads))
+    with pytest.warns(PyDyUserWarning, match="is -1 on both sides, but 0 is returned"):
+        system.linearize(at={})
+    system.linearize(at={V: 1e-6})  # a warning would be an error

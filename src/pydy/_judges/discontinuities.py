@@ -39,7 +39,8 @@ def _switched(
 ) -> tuple[list[int], dict[str, list[int]]]:
     """Return the switches in `searched` that depend on `inputs`, also as named blocks.
 
-    They may depend on `other_inputs` in addition.
+    They may depend on `other_inputs` in addition. With `bends`, those count too at which terms
+    change that cancel, such as the smooth ``max(x, 0) + min(x, 0)``.
     """
     graph = assembly.graph
     switches: list[int] = []
@@ -48,7 +49,7 @@ def _switched(
         above, below = Branches(graph, nodes).sides(switch, bends)
         inputs_of_switch = inputs_of(graph, [switch]).groups
         relevant = inputs_of_switch & {*inputs} and inputs_of_switch <= {*inputs, *other_inputs}
-        if above != below and relevant:
+        if (bends or above != below) and relevant:
             switches.append(switch)
             steps += map(graph.sub, above, below)
     return switches, {"nodes": [*nodes] if switches else [], "switches": switches, "steps": steps}
@@ -99,7 +100,10 @@ class Discontinuities:
 
 @dataclass(frozen=True)
 class DerivativeDiscontinuities:
-    """The switches of rates with rounding bounds, and the rates' derivatives on both sides."""
+    """The switches of rates with rounding bounds, and the rates' derivatives there.
+
+    These are the ones on both sides, and those of the expression as it is.
+    """
 
     coordinates: int
 
@@ -113,11 +117,13 @@ class DerivativeDiscontinuities:
             for side in Branches(graph, nodes).sides(switch, True)
             for n in side
         ]
-        switch_slopes, slopes = (
-            jacobian(graph, nodes, variables).flat() for nodes in (switches, both_sides)
-        )
-        bounds = rounding_bounds(graph, switches)
-        return {**blocks, "switch_slopes": switch_slopes, "slopes": slopes, "bounds": bounds}
+        groups = {
+            "switch_slopes": switches,
+            "slopes": both_sides,
+            "returned": nodes if switches else [],
+        }
+        slopes = {name: jacobian(graph, group, variables).flat() for name, group in groups.items()}
+        return {**blocks, **slopes, "bounds": rounding_bounds(graph, switches)}
 
 
 def node_of(assembly: Assembly, term: int | sm.Expr, argument: str) -> int:
@@ -210,6 +216,9 @@ def warn_of_kinks(
 ) -> None:
     """Warn of the first state at which the rates to be linearised have a kink or jump.
 
+    A derivative there belongs to no side if several terms switch: it may differ from one that both
+    sides have in common, as 0 of ``max(x, 0) + min(x, 0)`` at x = 0.
+
     The directions are the tangents T, (m, n, k), of the `free` states, and the specifieds in
     `columns`.
     """
@@ -225,19 +234,37 @@ def warn_of_kinks(
     steps[steps <= HALF * np.abs(values["nodes"])[:, None]] = 0.0
     switch_slopes = values["switch_slopes"].reshape(m, count, 1, n + w)
     sides = values["slopes"].reshape(m, count, 2 * width, n + w)
-    slopes, rows = np.concatenate([switch_slopes, sides], axis=2), np.broadcast_to(at.r, (m, w))
+    returned = np.broadcast_to(
+        values["returned"].reshape(m, 1, width, n + w), (m, count, width, n + w)
+    )
+    slopes = np.concatenate([switch_slopes, sides, returned], axis=2)
+    rows = np.broadcast_to(at.r, (m, w))
     for k, switch in np.argwhere(near):
         with np.errstate(all="ignore"):  # non-finite values are reported where they are used
             directional = slopes[k, switch, :, :n] @ T[k]
             by_inputs = slopes[k, switch, :, n:][:, [*columns]]
             directional = np.concatenate([directional, by_inputs], axis=1)
-        above, below = directional[1 : 1 + width], directional[1 + width :]
+        above, below, taken = (
+            directional[1 + part * width : 1 + (part + 1) * width] for part in range(3)
+        )
         largest = np.maximum(np.abs(above), np.abs(below))
+        alike = (np.abs(above - below) <= HALF * largest) & (steps[k, switch] == 0.0)[:, None]
+        lost = alike & (np.abs(taken - above) > HALF * np.maximum(largest, np.abs(taken)))
         turns = (np.abs(above - below) > HALF * largest) | (steps[k, switch] > 0.0)[:, None]
-        for row, column in np.argwhere(turns & (directional[0] != 0.0))[:1]:
+        acts = directional[0] != 0.0
+        for row, column in [*np.argwhere(turns & acts), *np.argwhere(lost & acts)][:1]:
             symbols = [*(states[j] for j in free), *(definition.specifieds[j] for j in columns)]
             value = [*at.x[k, free], *rows[k, [*columns]]][column]
             speed = row < len(states) and states[row] in equations.speeds
+            if not turns[row, column]:
+                warn_user(
+                    f"At t = {at.t[k]:.6g}, {symbols[column]} = {value:.6g} terms of the "
+                    f"{'load on' if speed else 'rate of'} {states[row]} switch that cancel: its "
+                    f"slope by {symbols[column]} is {above[row, column]:.3g} on both sides, but "
+                    f"{taken[row, column]:.3g} is returned. Linearize beside it, or write it "
+                    "without Abs, Max, Min, sign or Piecewise."
+                )
+                return
             description = f"jumps by {steps[k, switch, row]:.3g}"
             if not steps[k, switch, row]:
                 description = f"has the slope {above[row, column]:.3g} on one side by it"
