@@ -2043,6 +2043,9 @@ class System:
             A state does not satisfy the constraints; a load or rate has a kink or a jump there, of
             which the model knows one side; or neither `at` nor `t` is given, the initial
             conditions are no equilibrium, and the model changes along the motion from there.
+            Coordinates that no other rate depends on, such as the position of a vehicle, do not
+            count. A change that begins in the third or a higher order of time is not seen, nor
+            one by inputs that are functions of time.
 
         Examples
         --------

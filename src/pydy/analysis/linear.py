@@ -11,7 +11,7 @@ multibody systems", Multibody System Dynamics 33 (2015) 143-161).
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -30,11 +30,11 @@ from pydy._problem import (
     read_samples,
     with_unknowns,
 )
-from pydy._rank import DIGITS, ROUNDED
+from pydy._rank import ROUNDED
 from pydy._states import EvaluationPoints
-from pydy.analysis.equilibria import Equilibrium, largest_departure
-from pydy.analysis.equilibrium_residual import EquilibriumResidual
+from pydy.analysis.equilibria import Equilibrium
 from pydy.analysis.tuning import ZERO_REAL_PART
+from pydy.analysis.unsteadiness import departure_that_changes_the_model
 from pydy.plot import axes_of, rows_of_axes, typeset
 
 if TYPE_CHECKING:
@@ -42,10 +42,6 @@ if TYPE_CHECKING:
     from scipy.signal import StateSpace
 
     from pydy._sympy_types import SymbolOrName
-
-
-# Shares of their sizes by which coordinates advance along a motion that may change a model.
-_AHEAD = (1.0, 0.5, 0.125)
 
 
 @dataclass(frozen=True, eq=False)
@@ -374,49 +370,14 @@ def _warn_of_violations(at: EvaluationPoints) -> None:
 
 
 def _warn_of_motion(problem: Problem, point: EvaluationPoints) -> None:
-    """Warn if the initial conditions are no equilibrium, unless the model is the same all along.
-
-    It is where a vehicle rolls steadily, since it does not depend on the coordinates that advance.
-    """
-    rates = point.model.compiled("rates")
-    first = point.tried(rates)
-    if not first.any():
-        return
-    residual = EquilibriumResidual(problem, None, None, ())
-    with np.errstate(all="ignore"):
-        departure = largest_departure(residual.problem(), residual.start)
-        if departure is None or not _changes(point, first):
-            return
-    name, value = departure
-    warn_user(
-        f"The initial conditions are no equilibrium: {name} is {value:.3g}, and the linear model "
-        "changes along the motion. Pass the result of `find_equilibrium()` as `at`, or `at={}` if "
-        "you want the model at this state."
-    )
-
-
-def _changes(point: EvaluationPoints, rates: np.ndarray) -> bool:
-    """Return whether the derivatives of the rates change along the motion.
-
-    The states ahead are those of its Taylor polynomial of second order, after times in which
-    coordinates advance by shares of their sizes, such as an angle by a radian.
-    """
-    units, f, x = point.motions[0], rates[0], point.x[0]
-    slopes = point.slopes("rates")[0]
-    bend = slopes @ f
-    q = slice(len(point.definition.equations.coordinates))
-    natural = point.natural["states"][0, q]
-    lengths = np.where(natural > 0.0, 0.0, np.abs(x[q]))
-    sizes = np.where(natural > 0.0, natural, lengths.max(initial=0.0) or 1.0)
-    fastest = max((np.abs(f[q]) / sizes).max(), np.sqrt(np.abs(bend[q]) / sizes).max())
-    scaled = slopes * units / units[:, None]
-    for share in _AHEAD:
-        h = share / fastest if fastest > 0.0 else share
-        ahead = replace(point, x=(x + h * f + 0.5 * h**2 * bend)[None])
-        changed = ahead.slopes("rates")[0] * units / units[:, None]
-        if np.abs(changed - scaled).max() > DIGITS * np.abs(scaled).max():
-            return True
-    return False
+    """Warn if the initial conditions are no equilibrium, unless the model is the same all along."""
+    if departure := departure_that_changes_the_model(problem, point):
+        name, value = departure
+        warn_user(
+            f"The initial conditions are no equilibrium: {name} is {value:.3g}, and the linear "
+            "model changes along the motion. Pass the result of `find_equilibrium()` as `at`, or "
+            "`at={}` if you want the model at this state."
+        )
 
 
 def _outputs(
