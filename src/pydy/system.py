@@ -1568,8 +1568,10 @@ class System:
         Warns
         -----
         PyDyUserWarning
-            A constraint that closes a loop also holds the bodies, and its multiplier is not in
-            `loads`: the result is not the reaction of one joint.
+            A constraint that closes a loop also holds the bodies, and neither its multiplier nor a
+            reaction where it acts is in `loads`; or the coordinates join the bodies to others
+            elsewhere as well, and there are no `loads`. The result is not the reaction of one
+            joint.
 
         Notes
         -----

@@ -10,6 +10,7 @@ import sympy.physics.mechanics as me
 import zoo
 from oracles.newton import motion, needed
 from oracles.oracle import Oracle
+from pydy._mechanics.cuts import Motions
 from pydy._mechanics.reader import check_bodies
 from pydy.mechanics import Definition
 from pydy.system import System
@@ -564,6 +565,50 @@ def test_a_loop_that_is_left_out_is_warned_of():
     resultant = system.reaction(bodies[1], crank_pin, loads=[])
     system.outputs = resultant.outputs("A")
     assert abs(system.evaluate_outputs()[5]) > 0.1
+
+
+def test_a_reaction_elsewhere_does_not_stand_for_a_constraint():
+    """One at the pin that the constraints close does."""
+    system, bodies, (origin, crank_pin, _), pin = open_four_bar()
+    at_pin = system.reaction(bodies[2], pin, loads=[])
+    system.reaction(bodies[1], crank_pin, loads=[(pin, -at_pin.force)])  # a warning is an error
+    with pytest.warns(UserWarning, match=r"constraint of lambda0 and of 1 more, not at A alone"):
+        system.reaction(bodies[1], crank_pin, loads=[(origin, -at_pin.force)])
+
+
+@pytest.mark.parametrize("is_pinned", [False, True])
+def test_a_constraint_of_two_particles_is_their_joint(is_pinned):
+    """Bodies of 1 and 3 kg that move as one along x, or everywhere, share a force of 8 N."""
+    (x, y, X, Y), speeds = me.dynamicsymbols("x y X Y"), me.dynamicsymbols("u v U V")
+    frame, origin = inertial_frame()
+    places = [origin.locatenew("P", x * frame.x + y * frame.y)]
+    places.append(origin.locatenew("Q", X * frame.x + Y * frame.y))
+    p, q = (me.Particle(f"m{m}", at, m) for m, at in zip((1, 3), places, strict=True))
+    system = System(
+        Definition(
+            frame, [x, y, X, Y], speeds, bodies=[p, q], loads=[(places[1], 8 * frame.x)],
+            holonomic_constraints=[x - X, y - Y][: 1 + is_pinned],
+        )
+    )  # fmt: skip
+    on_p = system.reaction(p, places[0])  # a warning is an error
+    system.outputs = on_p.outputs("p") | {"lambda": system.constraint_forces["lambda0"]}
+    values = system.evaluate_outputs()
+    close(values[:3], [2.0, 0.0, 0.0], 1e-12)
+    close(abs(values[6]), 2.0, 1e-12)
+
+
+def test_several_reactions_differentiate_the_constraints_once(monkeypatch):
+    made = []
+    build = Motions.__init__
+    monkeypatch.setattr(
+        Motions, "__init__", lambda self, *parts: (made.append(parts), build(self, *parts))[1]
+    )
+    system, bodies, (_, crank_pin, far), pin = open_four_bar()
+    lam, frame = system.constraint_forces, system.eom_method.frame
+    closing = [(pin, lam["lambda0"] * frame.x + lam["lambda1"] * frame.y)]
+    system.reaction(bodies[1], crank_pin, loads=closing)
+    system.reaction(bodies[2], far, loads=closing)
+    assert len(made) == 1
 
 
 def test_a_constraint_on_one_side_of_a_cut_is_not_warned_of():

@@ -36,26 +36,25 @@ class Cut:
     inside, outside : bodies
     at_inside, at_outside : bodies
         Those that the point of the cut moves with; None is the ground.
+    known : list of pairs of bodies inside, bodies outside
+        Those that a point moves with where the force is known.
     """
 
     inside: Sequence[Body]
     outside: Sequence[Body]
     at_inside: Sequence[Body]
     at_outside: Sequence[Body | None]
+    known: Sequence[tuple[Sequence[Body], Sequence[Body | None]]] = ()
 
 
-def further_joints(
-    k: Kinematics, rows: Sequence[int], holonomic: Sequence[int], cut: Cut
-) -> tuple[bool, list[int]]:
+def further_joints(motions: Motions, cut: Cut) -> tuple[bool, list[int]]:
     """Return whether the coordinates join the two sides elsewhere too, and constraints that do.
 
-    `rows` are nodes of the constraints' rates, `holonomic` what is zero at consistent
-    configurations. Constraints that join one body to one other are the joint that is cut, or
-    belong to it. If the coordinates join the sides at the cut alone, its freedom remains when both
-    sides are locked.
+    Constraints that join one body to one other are the joint that is cut, or belong to it. Those
+    of a joint whose force is known are left out. If the coordinates join the sides at the cut
+    alone, its freedom remains when both sides are locked.
     """
     inside, outside, at_outside = cut.inside, cut.outside, cut.at_outside
-    motions = _Motions(k, rows, holonomic, [*inside, *outside])
     rest_outside, rigid_inside = motions.of(outside), motions.relative(inside)
     every = motions.of([*inside, *outside])
     pairs = [*product(cut.at_inside, at_outside)]
@@ -64,7 +63,7 @@ def further_joints(
     )
     crossing = [
         j
-        for j in range(len(rows))
+        for j in range(motions.count)
         if motions.depends(j, every)  # else the velocities were simplified by constraints
         and not motions.depends(j, rest_outside)
         and not motions.depends(j, rigid_inside)
@@ -75,11 +74,20 @@ def further_joints(
     for a, b in product(cut.at_inside or inside, at_outside):
         if all(motions.depends(j, motions.joint(a, b)) for j in crossing):
             return joined, []
+    for known_inside, known_outside in cut.known:
+        ends = [*product(known_inside or inside, known_outside or [None, *outside])]
+        crossing = [
+            j for j in crossing if not any(motions.depends(j, motions.joint(a, b)) for a, b in ends)
+        ]
     return joined, crossing
 
 
-class _Motions:
-    """Velocities of bodies and rates of constraints by the speeds, at random configurations."""
+class Motions:
+    """Velocities of bodies and rates of constraints by the speeds, at random configurations.
+
+    `rows` are nodes of the constraints' rates, `holonomic` what is zero at consistent
+    configurations.
+    """
 
     def __init__(
         self, k: Kinematics, rows: Sequence[int], holonomic: Sequence[int], bodies: Sequence[Body]
@@ -107,6 +115,7 @@ class _Motions:
         motions = _unrounded(motions, np.abs(motions).max(axis=(1, 3), keepdims=True))
         self._velocities = motions.reshape(len(values), -1, 6, len(k.speeds))
         self._rows = slopes_at[:, count:]
+        self.count = len(rows)
 
     def of(self, bodies: Sequence[Body]) -> np.ndarray:
         """Return the velocities of bodies, shape (states, rows, speeds)."""
@@ -152,7 +161,12 @@ class _Motions:
 
     def joint(self, a: Body, b: Body | None) -> np.ndarray:
         """Return the relative velocities of a body and another, or the ground."""
-        return self.of([a]) if b is None else self.relative([b, a])
+        if b is None:
+            return self.of([a])
+        if is_rigid(a) or is_rigid(b):
+            return self.relative([b, a])
+        k, other = self._bodies.index(a), self._bodies.index(b)  # points, which do not turn
+        return _sum(self._velocities[:, k, :3], -self._velocities[:, other, :3])
 
     @staticmethod
     def locked(joint: np.ndarray, *sides: np.ndarray) -> bool:

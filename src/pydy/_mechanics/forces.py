@@ -33,7 +33,7 @@ from pydy._graph import (
 )
 from pydy._mechanics.acceleration_constraints import multipliers_of
 from pydy._mechanics.components import numbers_of, product
-from pydy._mechanics.cuts import Cut, further_joints
+from pydy._mechanics.cuts import Cut, Motions, further_joints
 from pydy._mechanics.elimination import composite
 from pydy._mechanics.formulations import lagranges_equations, moving
 from pydy._mechanics.frame_tree import FrameTree, distances, given_velocity, steps_to
@@ -180,27 +180,36 @@ class ConstraintForces:
         )
 
     def further_joints(
-        self, members: Iterable[Body | Location], point: Point
+        self, members: Iterable[Body | Location], point: Point, known: Iterable[Point] = ()
     ) -> tuple[bool, list[str]]:
         """Return whether a group of bodies is joined to others elsewhere than at a point.
 
-        By the coordinates, and by constraints, of which the names of the multipliers are returned.
-        See `pydy._mechanics.cuts`.
+        By the coordinates, and by constraints, of which the names of the multipliers are returned,
+        except those of joints at `known` points. See `pydy._mechanics.cuts`.
         """
-        k, members = self._kinematics, list(members)
+        members = list(members)
         positions = [*self.holonomic, *self.nonholonomic, *self.redundant]
         inside = [b for b in self.body.bodies if b in members]
         outside = [b for b in self.body.bodies if b not in members]
         ends: list[Body | None] = [*self.body.bodies, None]
+        points = [point, *known]
         with collector_paused():
-            slips = [self._slip_at(body, inside[0], point) for body in ends]
-            carriers = [b for b, moves in zip(ends, self._vanishing(slips), strict=True) if moves]
-            at_inside = [body for body in inside if body in carriers]
-            at_outside = [body for body in carriers if body not in inside]
-            cut = Cut(inside, outside, at_inside, at_outside)
-            holonomic = k.read.all(self.holonomic.values())
-            joined, across = further_joints(k, self._rates, holonomic, cut)
+            slips = [self._slip_at(body, inside[0], at) for at in points for body in ends]
+            moves = iter(self._vanishing(slips))
+            carriers = [[body for body in ends if next(moves)] for _ in points]
+            sides = [
+                ([b for b in inside if b in moving], [b for b in moving if b not in inside])
+                for moving in carriers
+            ]
+            cut = Cut(inside, outside, *sides[0], sides[1:])
+            joined, across = further_joints(self._motions, cut)
         return joined, [f"lambda{positions[j]}" for j in across]
+
+    @cached_property
+    def _motions(self) -> Motions:
+        k = self._kinematics
+        holonomic = k.read.all(self.holonomic.values())
+        return Motions(k, self._rates, holonomic, self.body.bodies)
 
     def _slip_at(self, body: Body | None, near: Body, point: Point) -> list[Vec]:
         """Return vectors whose sum is zero if any point moves with a body, or with the ground."""

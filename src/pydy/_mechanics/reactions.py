@@ -121,8 +121,11 @@ class Reactions:
         for item in members:
             if not isinstance(item, ReferenceFrame):
                 _check_located(item if isinstance(item, Point) else item.masscenter, point)
-        if further_loads is None or loads:
-            _warn_of_joints(*forces.further_joints(members, point), point, loads)
+        reactions = [location for location, vector in loads if _holds_reaction(vector)]
+        known = [location for location in reactions if isinstance(location, Point)]
+        # A torque alone does not say at which joint it acts.
+        if (further_loads is None or loads) and (known or not reactions):
+            _warn_of_joints(*forces.further_joints(members, point, known), point, loads)
         name = f"{_REACTION}{point}"
         force, torque = forces.reaction(members, point, frame, loads, name, self.auxiliary_forces)
         return Reaction(force, torque, frame)
@@ -190,14 +193,24 @@ def _member(bodies: Sequence[Body], item: Body | Location | str) -> Body | Locat
     )
 
 
+def _names_in(vector: Vector) -> set[str]:
+    """Return the names of multipliers and reactions in a vector."""
+    parts = [part for components, _ in vector.args for part in components]
+    return {str(item) for part in parts for item in part.atoms(NodeExpression)}
+
+
+def _holds_reaction(vector: Vector) -> bool:
+    return any(name.startswith(_REACTION) for name in _names_in(vector))
+
+
 def _warn_of_joints(
     joined: bool, across: Sequence[str], point: Point, loads: Sequence[Load]
 ) -> None:
-    """Warn if something else joins the bodies to others, unless `loads` says what acts there."""
-    parts = [part for _, vector in loads for components, _ in vector.args for part in components]
-    names = {str(item) for part in parts for item in part.atoms(NodeExpression)}
-    if any(name.startswith(_REACTION) for name in names):
-        return
+    """Warn if something else joins the bodies to others, unless `loads` says what acts there.
+
+    Constraints `across` the cut are not those of joints whose reactions are among the loads.
+    """
+    names = set().union(*(_names_in(vector) for _, vector in loads))
     resultant = (
         f", not at {point} alone: the reaction is the resultant of all that holds them, not the "
         f"force of one joint."
