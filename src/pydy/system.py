@@ -2234,7 +2234,8 @@ class System:
         EquilibriumError
             There is no equilibrium at the first value.
         ValueError
-            A name is not one of the system's.
+            A name is not one of the system's; or the first value is at a fold with free unknowns,
+            and nothing tells the branch from these.
 
         Examples
         --------

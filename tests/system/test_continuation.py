@@ -299,3 +299,80 @@ def test_a_branch_ends_where_its_equations_contradict_each_other():
     )
     assert ended == "lost"
     assert all(np.abs(slopes @ z).max() <= 1e-9 for z in points)
+
+
+def traced(F, J, start, ends):
+    """Follow a curve of x and p from a start."""
+    return pydy.analysis.continuation.trace(
+        (
+            lambda z: np.array([F(*z)]),
+            lambda z: np.array([J(*z)]),
+            lambda z: (np.array([-1.0]), np.array([0.0])),
+            lambda slopes, z: SimpleNamespace(
+                terms=np.ones(1), limit=np.zeros(1), units=np.ones(1)
+            ),
+        ),
+        ("x", "p"), np.array(start), ends, 0.02, 2000, lambda value: None,
+    )  # fmt: skip
+
+
+def test_a_branch_that_returns_to_its_start_is_closed():
+    """The circle x² + p² = 1, from its fold at p = −1."""
+    points, _, special, ended, _ = traced(
+        lambda x, p: x**2 + p**2 - 1.0, lambda x, p: (2.0 * x, 2.0 * p), (0.0, -1.0), (-1.0, 1.0)
+    )
+    assert ended == "closed"
+    np.testing.assert_allclose((points**2).sum(axis=1), 1.0, atol=1e-10)
+    turned = np.unwrap(np.arctan2(points[:, 1], points[:, 0]))
+    assert abs(turned[-1] - turned[0]) == pytest.approx(2.0 * np.pi, abs=0.1)
+    assert any(point.value == pytest.approx(1.0) for point in special)
+
+
+@pytest.mark.parametrize("far", [5.0, 50.0, 500.0])
+def test_a_branch_that_grew_does_not_close_beside_its_start(far):
+    """x = 0.275 + far p ∓ 0.225 √(1 − p) leaves p = 0 at x = 0.05, and returns to it at 0.5."""
+    points, _, special, ended, _ = traced(
+        lambda x, p: (x - 0.275 - far * p) ** 2 - 0.225**2 * (1.0 - p),
+        lambda x, p: (2 * (x - 0.275 - far * p), -2 * far * (x - 0.275 - far * p) + 0.225**2),
+        (0.05, 0.0), (0.0, 2.0),
+    )  # fmt: skip
+    assert [point.kind for point in special] == ["fold"]
+    assert ended == "bounds"
+    np.testing.assert_allclose(points[-1], [0.5, 0.0], atol=1e-9)
+
+
+def test_a_branch_may_begin_at_a_fold_with_a_free_unknown():
+    """p + s − s³ = 0 with s = x + y folds at s = −1/√3; x − y is free, and stays as at first."""
+    (x, y), speeds = me.dynamicsymbols("x y"), me.dynamicsymbols("u v")
+    frame, origin = inertial_frame()
+    place = origin.locatenew("P", x * frame.x + y * frame.y)
+    p, s = sm.Symbol("p"), x + y
+    force = (p + s - s**3) * (frame.x + frame.y) - speeds[0] * frame.x - speeds[1] * frame.y
+    mass = me.Particle("P", place, 1)
+    system = System(Definition(frame, [x, y], speeds, bodies=[mass], loads=[(place, force)]))
+    fold = 2.0 / (3.0 * np.sqrt(3.0))
+    at = {"x": -1.0 / np.sqrt(3.0) - 0.2, "y": 0.2}
+    system.initial_conditions = at
+    branch = system.follow_equilibria({"p": [fold, -2.0]})
+    assert branch.ended == "bounds"
+    s = branch["x"] + branch["y"]
+    np.testing.assert_allclose(s**3 - s, branch.values, atol=1e-9)
+    np.testing.assert_allclose(branch["x"] - branch["y"], at["x"] - at["y"], atol=1e-6)
+
+
+def test_a_curve_with_the_sizes_of_a_fold_holds_what_was_free():
+    """Of s and d, d is free; F = p − s² folds at 0."""
+    functions = (
+        lambda z: np.array([z[2] - (z[0] + z[1]) ** 2, 0.0]),
+        lambda z: np.array([[-2 * (z[0] + z[1]), -2 * (z[0] + z[1]), 1.0], [0.0, 0.0, 0.0]]),
+        lambda z: (np.array([-1.0]), np.array([0.0])),
+        lambda slopes, z: SimpleNamespace(terms=np.ones(2), limit=np.zeros(2), units=np.ones(2)),
+    )
+    made = pydy.analysis.continuation._BranchCurve
+    curve = made(functions, np.array([0.5, 0.5, 1.0]), 1.0, ("x", "y", "p"))
+    fold = curve.point(np.array([0.2, -0.2, 0.0]), np.array([-1.0, -1.0, 0.0]))
+    renewed, point = curve.scaled_anew(fold)
+    free, tangent = renewed.free_directions * renewed.scale[:2], point.tangent * renewed.scale
+    assert free.shape == (1, 2)
+    np.testing.assert_allclose(free[0, 0], -free[0, 1], rtol=1e-9)
+    np.testing.assert_allclose(tangent, [tangent[0], tangent[0], 0.0], atol=1e-9)

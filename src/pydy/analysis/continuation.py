@@ -42,6 +42,9 @@ Functions = tuple[Function, Function, Spectrum, Measured]  # F, its Jacobian, sp
 # Number and size (in eps) of the perturbations that estimate the rounding errors of residuals.
 _ROUNDINGS, _LAST_DIGITS = 4, 4.0
 
+# Distance from a fold, in scaled unknowns, at which its direction is told from free ones.
+_BESIDE = 1e-3
+
 
 @dataclass(frozen=True)
 class SpecialPoint:
@@ -173,6 +176,7 @@ class _BranchCurve:
         z: np.ndarray,
         span: float,
         names: tuple[str, ...],
+        known_free: np.ndarray | None = None,
     ):
         self.functions, self.span, self.names = functions, span, names
         self._F, self._J, self.spectrum, measured = functions
@@ -186,21 +190,72 @@ class _BranchCurve:
         self.scale = sizes_along(np.where(noise[:, None], 0.0, first), z, units)
         self.scale[:-1] *= self._above_rounding(first, z)[:-1]
         self.sizes = self._rows(first)
-        slopes = self.J(z) * self.scale
-        _, singular, vt = np.linalg.svd(slopes[:, :-1])
-        free = vt[rank_of(singular) :]
-        # The slope by the parameter adds to the rank at a fold alone, where the curve itself leaves
-        # along a free direction: no direction is fixed there.
-        symmetries = len(z) - 1 - rank_of(np.linalg.svd(slopes, compute_uv=False))
-        self.free_directions = free if len(free) <= symmetries else free[:0]
         self.origin = z
+        free, symmetries = self._free_at(z)
+        # The slope by the parameter adds to the rank at a fold alone, where the curve itself leaves
+        # along a free direction. That direction is not fixed.
+        if len(free) > symmetries and known_free is not None:
+            free = np.linalg.qr((known_free / self.scale[:-1]).T)[0].T
+        elif len(free) > symmetries:
+            free = self._free_beside(free, symmetries)
+        self.free_directions = free
         u = np.linalg.svd(self._jacobian_with_free_rows(z), full_matrices=False)[0]
         self.rows = u[:, : len(z) - 1].T
 
     def scaled_anew(self, point: _BranchPoint) -> tuple[_BranchCurve, _BranchPoint]:
         """Return the curve with the sizes of one of its points, and the point on it."""
-        curve = _BranchCurve(self.functions, point.z, self.span, self.names)
+        known = self.free_directions * self.scale[:-1]
+        curve = _BranchCurve(self.functions, point.z, self.span, self.names, known)
         return curve, curve.point(point.z, point.tangent * self.scale / curve.scale)
+
+    def _free_at(self, z: np.ndarray) -> tuple[np.ndarray, int]:
+        """Return the directions (k, n − 1) that the slopes leave free, and how many beside a fold.
+
+        At a fold there is one more.
+        """
+        slopes = self.J(z) * self.scale
+        _, singular, vt = np.linalg.svd(slopes[:, :-1])
+        least = len(z) - 1 - rank_of(np.linalg.svd(slopes, compute_uv=False))
+        return vt[rank_of(singular) :], least
+
+    def _free_beside(self, free: np.ndarray, count: int) -> np.ndarray:
+        """Return the directions that stay free beside a fold, of those that are free at it.
+
+        First derivatives at the fold do not tell them from the direction of the curve. The
+        solutions near it form a surface with the free directions as coordinates.
+        """
+        if count <= 0:
+            return free[:0]
+        rows = np.hstack([free, np.zeros((len(free), 1))])
+        for direction in free:
+            z = self.origin.copy()
+            z[:-1] += _BESIDE * self.scale[:-1] * direction
+            for _ in range(8):
+                slopes = np.vstack([self.J(z) * self.scale, rows])
+                offset = ((z - self.origin) / self.scale)[:-1] - _BESIDE * direction
+                values = np.append(self.F(z), free @ offset)
+                if not (np.isfinite(slopes).all() and np.isfinite(values).all()):
+                    break
+                z = z - self.scale * np.linalg.lstsq(slopes, values, rcond=None)[0]
+            else:
+                beside, _ = self._free_at(z)
+                if len(beside) == count:
+                    return beside
+        raise ValueError(
+            f"The branch starts at a fold at {self.names[-1]} = {self.origin[-1]:.6g} in which "
+            f"{count + 1} unknowns are free, and which of them the branch follows is not "
+            f"determined. Start at another value of {self.names[-1]}, or name as `unknowns` only "
+            "those that the equations determine."
+        )
+
+    def is_at(self, point: _BranchPoint, z: np.ndarray, scale: np.ndarray) -> bool:
+        """Return whether the curve near a point passes through z, in units of a scale."""
+        arc = point.tangent @ ((z - point.z) / self.scale)
+        correction = self.correct(point.z + arc * self.scale * point.tangent, point.tangent)
+        if correction is None:
+            return False
+        allowed = HALF * max(1.0, (self.scale / scale).max())  # the accuracy is that of this scale
+        return bool(np.abs((correction[0] - z) / scale).max() <= allowed)
 
     def outgrown(self, z: np.ndarray) -> bool:
         """Return whether an unknown is more than twice its size, so that steps became short."""
@@ -329,7 +384,7 @@ def _trace_points(
     report: Callable[[float], None],
 ) -> str:
     """Add points and the special points between them; return why the branch ended."""
-    (low, high), length = bounds, step / 4.0
+    (low, high), length, first_scale = bounds, step / 4.0, curve.scale
     while len(points) < most:
         if curve.outgrown(points[-1].z):
             curve, points[-1] = curve.scaled_anew(points[-1])
@@ -360,7 +415,9 @@ def _trace_points(
         special += new_special
         points.append(new)
         report(float(z[-1]))
-        if len(points) > 10 and np.linalg.norm((z - points[0].z) / curve.scale) < 0.5 * length:
+        start = points[0].z
+        is_near = np.linalg.norm((z - start) / curve.scale) < length
+        if len(points) > 10 and is_near and curve.is_at(new, start, first_scale):
             return "closed"
         length = min(step, length * (1.5 if count <= 4 else 0.8))
     return "steps"
