@@ -1,11 +1,13 @@
 """Whether the linear model of a motion changes along it.
 
 In a steady motion all states are constant except coordinates that nothing depends on, such as the
-position of a vehicle on the road and its heading. A coordinate is *advancing* if neither a
-constraint nor a rate has a derivative by it, where rates of other advancing coordinates do not
-count: the velocity over the road depends on the heading. This is a property of the equations, which
-is decided in exact arithmetic: neither a zero at one state nor terms that cancel mislead it. Rows
-and columns of advancing coordinates count neither as a departure from equilibrium nor as a change.
+position of a vehicle on the road and its heading. A state is *advancing* if neither a holonomic
+constraint nor a rate has a derivative by it, where rates of other advancing states do not count:
+the velocity over the road depends on the heading. Besides coordinates, dependent speeds may be
+advancing: that velocity may be such a speed, and then the constraint that gives it does not count.
+This is a property of the equations, which is decided in exact arithmetic: neither a zero at one
+state nor terms that cancel mislead it. Rows and columns of advancing states count neither as a
+departure from equilibrium nor as a change.
 
 The other slopes are compared with those at states of the Taylor polynomial of second order, ahead
 by parts of the time in which the fastest eigenvalue or an angle makes a radian. No result depends
@@ -45,17 +47,19 @@ def departure_that_changes_the_model(
     with np.errstate(all="ignore"):
         if _departure(problem, ()) is None:
             return None
-        advancing = advancing_coordinates(point)
+        advancing = advancing_states(point)
         departure = _departure(problem, advancing)
         return departure if departure and _changes(problem, point, advancing) else None
 
 
 def _departure(problem: Problem, advancing: Sequence[int]) -> tuple[str, float] | None:
-    """Return the rate that is farthest from zero, except those of advancing coordinates."""
+    """Return the rate that is farthest from zero, except those of advancing states."""
     coordinates = problem.definition.equations.coordinates
     if len(advancing) == _moving_count(problem):
         return None
-    residual = EquilibriumResidual(problem, None, None, [coordinates[k] for k in advancing])
+    steady = [coordinates[k] for k in advancing if k < len(coordinates)]
+    residual = EquilibriumResidual(problem, None, None, steady)
+    residual.rows = [k for k in residual.rows if k not in advancing]
     return largest_departure(residual.problem(), residual.start)
 
 
@@ -64,20 +68,32 @@ def _moving_count(problem: Problem) -> int:
     return len(equations.coordinates) + len(equations.speeds)
 
 
-def advancing_coordinates(point: EvaluationPoints) -> list[int]:
-    """Return the coordinates that only rates of other advancing coordinates depend on."""
-    own, q = point.model.assembly.fork(), len(point.definition.equations.coordinates)
-    moving = q + len(point.definition.equations.speeds)
+def advancing_states(point: EvaluationPoints) -> list[int]:
+    """Return the coordinates and dependent speeds on which only rates of such states depend.
+
+    A velocity constraint that gives such a speed does not count either.
+    """
+    own, definition = point.model.assembly.fork(), point.definition
+    equations, q = definition.equations, len(definition.equations.coordinates)
+    moving = q + len(equations.speeds)
     rates = own.blocks.rates[:moving]
     by_state = _dependence(own, rates, "x", moving)
     by_input = _dependence(own, rates, "r", own.sizes[1])
     by_state[by_input @ (point.input_feedback[0, :, :moving] != 0.0)] = True
-    constraints = [*own.blocks.holonomic, *own.blocks.velocity]
-    constrained = _dependence(own, constraints, "x", q)
+    held = _dependence(own, own.blocks.holonomic, "x", moving)
+    constrained = _dependence(own, own.blocks.velocity, "x", moving)
+    dependent = [definition.states.index(speed) for speed in equations.dependents.speeds]
+    given, candidates = constrained[:, dependent], [*range(q), *dependent]
     is_advancing = np.zeros(moving, dtype=bool)
-    for _ in range(q):
-        needed = np.concatenate([by_state[~is_advancing, :q], constrained]).any(axis=0)
-        is_advancing[:q] = ~needed
+    for _ in candidates:
+        rows = np.concatenate([by_state[~is_advancing], held])
+        needed: np.ndarray = np.logical_or.reduce(rows, axis=0)
+        # A constraint gives one of its dependent speeds. It does not count if none of them does;
+        # else all that is in it counts.
+        for _ in constrained:
+            counts = (given & needed[dependent]).any(axis=1) | ~given.any(axis=1)
+            needed |= constrained[counts].any(axis=0)
+        is_advancing[candidates] = ~needed[candidates]
     advancing: list[int] = np.flatnonzero(is_advancing).tolist()
     return advancing
 
@@ -96,7 +112,7 @@ def _dependence(assembly: Assembly, rows: Sequence[int], group: str, width: int)
 def _changes(problem: Problem, point: EvaluationPoints, advancing: Sequence[int]) -> bool:
     """Return whether the derivatives of the rates change along the motion.
 
-    Rows and columns of advancing coordinates and of auxiliary states are left out.
+    Rows and columns of advancing and of auxiliary states are left out.
     """
     f, slopes = point.tried(point.model.compiled("rates"))[0], _slopes(point, point)
     bend = slopes @ f
