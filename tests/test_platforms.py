@@ -211,7 +211,7 @@ TRIPLES = {
 # The C library, what LLVM adds where a frame is larger than a page, and our own routines.
 ALLOWED = re.compile(
     r"_?(pydy_\w+|kernel|prepare|strided|malloc|free|mem(cpy|set)|__chkstk|fmax|fmin"
-    r"|a?(sin|cos|tan)h?|atan2|exp|log|pow|erfc?|floor|ceil|sqrt|bzero|turn\.\w+|\w+\.lanes)"
+    r"|a?(sin|cos|tan)h?|atan2|exp|log|pow|erfc?|floor|ceil|sqrt|bzero|turn\.\w+|\w+\.lanes\d?)"
 )
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from typing import Any
+from typing import Any, NoReturn
 
 from pydy._checks import choice, shown
 from pydy._names import nearest
@@ -46,10 +46,9 @@ def _how_to_choose(solver: object) -> str:
     return f"Choose a solver by `system.ode_solver = {shown(solver)}`."
 
 
-def refuse_solver(options: Mapping[str, object]) -> None:
+def refuse_solver(solver: object) -> NoReturn:
     """Refuse an option `solver`, which no solver has."""
-    if "solver" in options:
-        raise TypeError(f"There is no option `solver`. {_how_to_choose(options['solver'])}")
+    raise TypeError(f"There is no option `solver`. {_how_to_choose(solver)}")
 
 
 def check_option_names(solver: str, names: Iterable[str], options: Mapping[str, object]) -> None:

@@ -933,7 +933,8 @@ class System:
         full = solver_kwargs.get("full_output", False)
         if isinstance(solver, (Solver, SolveIvp)) or is_odeint(solver):
             full = full is True or (full is not False and flag(full, "`full_output`"))
-        refuse_solver(solver_kwargs)
+        if "solver" in solver_kwargs:
+            refuse_solver(solver_kwargs["solver"])
         return integrate_states(
             problem, self._times, solver=solver, checked=not full, **solver_kwargs
         )
@@ -1000,7 +1001,8 @@ class System:
             solver_kwargs["events"] = [*solver_kwargs["events"]]
         shown = solver_kwargs.get("progress") is True
         problem = self._shown(solver_kwargs) if shown else self._now(solver_kwargs.get("events"))
-        refuse_solver(solver_kwargs)
+        if "solver" in solver_kwargs:
+            refuse_solver(solver_kwargs["solver"])
         motion = simulate(
             problem,
             self._times,
