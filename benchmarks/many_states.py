@@ -84,11 +84,11 @@ def measure(name: str, system: System, options: argparse.Namespace) -> list[dict
         wide, p = in_lanes(kernel), problem.p
         program = kernel.program
         few = rng.normal(0.3, 0.1, (IN_CACHE, program.signature.num_states))
-        out = np.empty((IN_CACHE, len(program.outputs)))
+        out = np.empty((IN_CACHE, program.signature.num_outputs))
         r = np.zeros((1, program.signature.num_specifieds))
         cached = partial(wide.evaluate, np.zeros(IN_CACHE), few, r, p, out)
         for count in options.counts:
-            if count * len(program.outputs) > options.most:
+            if count * program.signature.num_outputs > options.most:
                 continue
             x, t = rng.normal(0.3, 0.1, (count, program.signature.num_states)), np.zeros(count)
             evaluated = 0
