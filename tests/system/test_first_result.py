@@ -64,7 +64,7 @@ def test_native_solvers_load_no_package_of_scipy(loaded):
 def test_few_modules_of_ours_are_loaded(loaded):
     solver, modules = loaded
     count = sum(name.startswith("pydy") for name in modules)
-    assert count <= {"odeint": 206, "dop853": 217}[solver]
+    assert count <= {"odeint": 204, "dop853": 215}[solver]
 
 
 def test_the_collector_does_not_visit_all_objects_while_scipy_is_imported():

@@ -11,6 +11,7 @@ from pydy.mechanics import Definition
 from pydy.system import System
 from pydy.vehicles import BrushTire, WheelContact
 from zoo import inertial_frame
+from zoo.wheels import planar_wheel
 
 R, M, I, G, K = 0.3, 400.0, 1.2, 9.81, 2e5
 TIME = me.dynamicsymbols._t
@@ -21,14 +22,10 @@ HOLDS = M * G * np.sin(SLOPE) * HEIGHT  # the torque that holds the wheel
 
 def braked(torque, drive=0.0, *, speed, times):
     """A wheel with a tire on a slope of 10 %, with a brake and a drive torque."""
-    x, z, q, vx, vz, w, u, v = me.dynamicsymbols("x z q vx vz w u v")
-    N, O = inertial_frame()
-    W = me.ReferenceFrame("W")
-    W.orient_axis(N, N.y, q)
-    W.set_ang_vel(N, w * N.y)
-    C = O.locatenew("C", x * N.x + z * N.z)
-    C.set_vel(N, vx * N.x + vz * N.z)
-    body = me.RigidBody("wheel", C, W, M, (me.inertia(W, 0, I, 0), C))
+    wheel = planar_wheel(M, I)
+    u, v = me.dynamicsymbols("u v")
+    (x, z, q), (vx, vz, w) = wheel.q, wheel.u
+    N, O, C, W, body = wheel.N, wheel.O, wheel.C, wheel.W, wheel.body
     contact = WheelContact(
         body, N.y, R, O, N.z, N, lambda gap, rate: kelvin_voigt(gap, rate, K, 2e3)
     ).with_relaxation((0.3, 0.5), (u, v))
@@ -100,14 +97,9 @@ def test_a_brake_that_is_too_weak_slows_the_wheel_only():
 
 
 def test_a_rigid_wheel_stands_by_friction_that_sticks():
-    x, z, q, vx, vz, w = me.dynamicsymbols("x z q vx vz w")
-    N, O = inertial_frame()
-    W = me.ReferenceFrame("W")
-    W.orient_axis(N, N.y, q)
-    W.set_ang_vel(N, w * N.y)
-    C = O.locatenew("C", x * N.x + z * N.z)
-    C.set_vel(N, vx * N.x + vz * N.z)
-    body = me.RigidBody("wheel", C, W, M, (me.inertia(W, 0, I, 0), C))
+    wheel = planar_wheel(M, I)
+    (x, z, q), (vx, vz, w) = wheel.q, wheel.u
+    N, O, C, body = wheel.N, wheel.O, wheel.C, wheel.body
     weight = M * G * (np.sin(SLOPE) * N.x - np.cos(SLOPE) * N.z)
     system = System(
         Definition(N, [x, z, q], [vx, vz, w], bodies=[body], loads=[(C, weight)]),

@@ -10,19 +10,15 @@ from pydy.system import System
 from pydy.vehicles import BrushTire, WheelContact
 from pydy.vehicles.wheel_arguments import normal_force_of
 from zoo import inertial_frame
+from zoo.wheels import planar_wheel
 
 R, M, I, G, K = 0.3, 40.0, 1.2, 9.81, 1e5
 
 
 def dropped(law, height, *, speed=0.0, spin=0.0, times, tire=None):
-    x, z, q, vx, vz, w = me.dynamicsymbols("x z q vx vz w")
-    N, O = inertial_frame()
-    W = me.ReferenceFrame("W")
-    W.orient_axis(N, N.y, q)
-    W.set_ang_vel(N, w * N.y)
-    C = O.locatenew("C", x * N.x + z * N.z)
-    C.set_vel(N, vx * N.x + vz * N.z)
-    body = me.RigidBody("wheel", C, W, M, (me.inertia(W, 0, I, 0), C))
+    wheel = planar_wheel(M, I)
+    (x, z, q), (vx, vz, w) = wheel.q, wheel.u
+    N, O, C, body = wheel.N, wheel.O, wheel.C, wheel.body
     contact = WheelContact(body, N.y, R, O, N.z, N, law)
     system = System(
         Definition(

@@ -8,8 +8,7 @@ import sympy.physics.mechanics as me
 from pydy.mechanics import Definition
 from pydy.system import System
 from pydy.vehicles import LinearTire, WheelContact
-from zoo import inertial_frame
-from zoo.wheels import free_wheel
+from zoo.wheels import free_wheel, planar_wheel
 
 M, R, G = 10.0, 0.3, 9.81
 TIGHT = {"rtol": 1e-12, "atol": 1e-12}
@@ -130,14 +129,9 @@ def test_a_torus_that_is_a_ball_rolls_straight_on():
 
 
 def test_a_sprung_wheel_may_roll_without_slip():
-    x, z, q, vx, vz, w = me.dynamicsymbols("x z q vx vz w")
-    N, O = inertial_frame()
-    W = me.ReferenceFrame("W")
-    W.orient_axis(N, N.y, q)
-    W.set_ang_vel(N, w * N.y)
-    C = O.locatenew("C", x * N.x + z * N.z)
-    C.set_vel(N, vx * N.x + vz * N.z)
-    body = me.RigidBody("wheel", C, W, M, (me.inertia(W, 0, M * R**2 / 2, 0), C))
+    wheel = planar_wheel(M, M * R**2 / 2)
+    (x, z, q), (vx, vz, w) = wheel.q, wheel.u
+    N, O, C, body = wheel.N, wheel.O, wheel.C, wheel.body
     contact = WheelContact(body, N.y, R, O, N.z, N, lambda gap, rate: -1e5 * gap)
     assert contact.holonomic_constraints == []
     weight = (C, M * G * (sm.sin(0.3) * N.x - sm.cos(0.3) * N.z))

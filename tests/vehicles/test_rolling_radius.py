@@ -3,14 +3,12 @@
 import numpy as np
 import pytest
 import sympy as sm
-import sympy.physics.mechanics as me
 
 from pydy.mechanics import Definition
 from pydy.system import System
 from pydy.vehicles import MagicFormula, WheelContact
-from zoo import inertial_frame
 from zoo.tires import TABLE_A31
-from zoo.wheels import free_wheel, values
+from zoo.wheels import free_wheel, planar_wheel, values
 
 R, M, I, G = 0.313, 400.0, 1.2, 9.81
 REFF = {"VERTICAL_STIFFNESS": 2e5, "BREFF": 8.4, "DREFF": 0.27, "FREFF": 0.045}
@@ -26,14 +24,9 @@ def tire():
 
 
 def test_a_wheel_that_coasts_turns_at_its_speed_by_the_rolling_radius():
-    x, z, q, vx, vz, w = me.dynamicsymbols("x z q vx vz w")
-    N, O = inertial_frame()
-    W = me.ReferenceFrame("W")
-    W.orient_axis(N, N.y, q)
-    W.set_ang_vel(N, w * N.y)
-    C = O.locatenew("C", x * N.x + z * N.z)
-    C.set_vel(N, vx * N.x + vz * N.z)
-    body = me.RigidBody("wheel", C, W, M, (me.inertia(W, 0, I, 0), C))
+    wheel = planar_wheel(M, I)
+    (x, z, q), (vx, vz, w) = wheel.q, wheel.u
+    N, O, C, body = wheel.N, wheel.O, wheel.C, wheel.body
     rolls = tire()
     contact = WheelContact(
         body, N.y, R, O, N.z, N,
@@ -79,14 +72,9 @@ def test_the_slip_is_that_of_the_speed_of_revolution(options):
 
 @pytest.mark.parametrize("damping", [0.0, 2e3])
 def test_a_wheel_with_a_damper_may_roll_without_slip_on_its_rolling_radius(damping):
-    x, z, q, vx, vz, w = me.dynamicsymbols("x z q vx vz w")
-    N, O = inertial_frame()
-    W = me.ReferenceFrame("W")
-    W.orient_axis(N, N.y, q)
-    W.set_ang_vel(N, w * N.y)
-    C = O.locatenew("C", x * N.x + z * N.z)
-    C.set_vel(N, vx * N.x + vz * N.z)
-    body = me.RigidBody("wheel", C, W, M, (me.inertia(W, 0, I, 0), C))
+    wheel = planar_wheel(M, I)
+    (x, z, q), (vx, vz, w) = wheel.q, wheel.u
+    N, O, C, body = wheel.N, wheel.O, wheel.C, wheel.body
     radius, stiffness, slope = tire().rolling_radius, 2e5, 0.1
     contact = WheelContact(
         body, N.y, R, O, N.z, N,

@@ -1,4 +1,4 @@
-"""A wheel that moves freely, with yaw, lean to the right and spin."""
+"""Wheels: one that moves freely, with yaw, lean to the right and spin; one in its plane."""
 
 from functools import cache
 from types import SimpleNamespace
@@ -28,6 +28,19 @@ def free_wheel(mass=10.0, axial=0.5, diametral=0.3):
     body = me.RigidBody("wheel", G, W, mass, (me.inertia(B, diametral, axial, diametral), G))
     kinematics = [q.diff() - u for q, u in zip(names[:3], rates[:3], strict=True)]
     kinematics += [(turning - W.ang_vel_in(N)).dot(e) for e in B]
+    return SimpleNamespace(**locals())
+
+
+def planar_wheel(mass, axial):
+    """Return a wheel in the plane of x and z, its coordinates and speeds in `q` and `u`."""
+    q, u = me.dynamicsymbols("x z q"), me.dynamicsymbols("vx vz w")
+    N, O = inertial_frame()
+    W = me.ReferenceFrame("W")
+    W.orient_axis(N, N.y, q[2])
+    W.set_ang_vel(N, u[2] * N.y)
+    C = O.locatenew("C", q[0] * N.x + q[1] * N.z)
+    C.set_vel(N, u[0] * N.x + u[1] * N.z)
+    body = me.RigidBody("wheel", C, W, mass, (me.inertia(W, 0, axial, 0), C))
     return SimpleNamespace(**locals())
 
 

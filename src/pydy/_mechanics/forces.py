@@ -33,7 +33,6 @@ from pydy._graph import (
 )
 from pydy._mechanics.acceleration_constraints import multipliers_of
 from pydy._mechanics.components import numbers_of, product
-from pydy._mechanics.cuts import Cut, Motions, further_joints
 from pydy._mechanics.elimination import composite
 from pydy._mechanics.formulations import lagranges_equations, moving
 from pydy._mechanics.frame_tree import FrameTree, distances, given_velocity, steps_to
@@ -47,6 +46,7 @@ from pydy._rank import ROUNDED, is_zero
 if TYPE_CHECKING:
     from sympy.physics.mechanics import ReferenceFrame
 
+    from pydy._mechanics.cuts import Motions
     from pydy._sympy_types import AnySymbol, Body, Load, Location
 
 
@@ -187,6 +187,8 @@ class ConstraintForces:
         By the coordinates, and by constraints, of which the names of the multipliers are returned,
         except those of joints at `known` points. See `pydy._mechanics.cuts`.
         """
+        from pydy._mechanics.cuts import Cut, further_joints  # what only reactions need
+
         members = list(members)
         positions = [*self.holonomic, *self.nonholonomic, *self.redundant]
         inside = [b for b in self.body.bodies if b in members]
@@ -207,6 +209,8 @@ class ConstraintForces:
 
     @cached_property
     def _motions(self) -> Motions:
+        from pydy._mechanics.cuts import Motions
+
         k = self._kinematics
         holonomic = k.read.all(self.holonomic.values())
         return Motions(k, self._rates, holonomic, self.body.bodies)

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 _REACTION = "reaction_"  # what the expressions of reactions are called, before the point
 
 # Bodies on one side of a cut: some of them, or all beyond a joint.
-_Cut: TypeAlias = "Body | str | Joint | Iterable[Body | Location | str]"
+_OneSide: TypeAlias = "Body | str | Joint | Iterable[Body | Location | str]"
 
 
 class Multipliers(dict[sm.Symbol, sm.Expr]):
@@ -92,7 +92,7 @@ class Reactions:
 
     def reaction(
         self,
-        bodies: _Cut,
+        bodies: _OneSide,
         point: Point | None,
         frame: ReferenceFrame | None,
         further_loads: Iterable[Load] | None,
@@ -171,7 +171,7 @@ class Reactions:
         return [body for body in bodies if body.masscenter in points]
 
 
-def _as_list(bodies: _Cut) -> list[Body | Location | str]:
+def _as_list(bodies: _OneSide) -> list[Body | Location | str]:
     if isinstance(bodies, (str, RigidBody, Particle)):
         return [bodies]
     if not isinstance(bodies, Iterable):

@@ -42,7 +42,8 @@ Functions = tuple[Function, Function, Spectrum, Measured]  # F, its Jacobian, sp
 # Number and size (in eps) of the perturbations that estimate the rounding errors of residuals.
 _ROUNDINGS, _LAST_DIGITS = 4, 4.0
 
-# Distance from a fold, in scaled unknowns, at which its direction is told from free ones.
+# Distance from a fold, in scaled unknowns, at which its direction is told from free ones: its slope
+# grows with the distance, far above rounding, and what the curve bends with the square.
 _BESIDE = 1e-3
 
 

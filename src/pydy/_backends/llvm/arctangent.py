@@ -7,6 +7,7 @@ polynomial of degree 21 are those of fdlibm (s_atan.c, Sun Microsystems 1993).
 
 from __future__ import annotations
 
+from pydy._backends.llvm.emit import ARCTANGENT
 from pydy._backends.llvm.ir import IrFunction, literal, suffix, vector_type
 
 # From where on each c is used; before the first the argument is taken as it is.
@@ -46,16 +47,11 @@ ATAN = (
 )
 
 
-def arctangent_name(lanes: int) -> str:
-    """Return the name of the function in a module."""
-    return f"atan.lanes{lanes}"
-
-
-def arctangent_function(lanes: int) -> str:
+def function(lanes: int) -> str:
     """Return the function of one number of lanes, for the module that calls it."""
     v, flag, end = vector_type("double", lanes), vector_type("i1", lanes), suffix(lanes)
     f = IrFunction(
-        arctangent_name(lanes), v, f"{v} %x", "internal|nounwind willreturn memory(none)"
+        f"{ARCTANGENT}{lanes}", v, f"{v} %x", "internal|nounwind willreturn memory(none)"
     )
 
     def number(value: float) -> str:
@@ -96,7 +92,7 @@ def arctangent_function(lanes: int) -> str:
     return f.text()
 
 
-def arctangent_declarations(lanes: int) -> str:
+def declarations(lanes: int) -> str:
     """Return the declarations of the intrinsics that it calls, but for those of arithmetic."""
     v = vector_type("double", lanes)
     return f"declare {v} @llvm.copysign.{suffix(lanes)}({v}, {v})"

@@ -10,7 +10,6 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from itertools import chain
 
-from pydy._backends.llvm.arctangent import arctangent_name
 from pydy._backends.llvm.ir import WIDTHS, IrFunction, literal, suffix, vector_type
 from pydy._backends.llvm.plan import RegisterAllocator, ValueLocation, fusion, readers
 from pydy._backends.llvm.sincos import sincos, sincos_together
@@ -27,6 +26,9 @@ _ROUTINES = {
     "guard": "i32 (ptr, ptr, i64, ptr, i64, i32)",
     "constrained": "i32 (ptr, ptr, ptr, ptr, i64, i64, i32)",
 }
+
+ARCTANGENT = "atan.lanes"
+"""The name of the function of `pydy._backends.llvm.arctangent`, before the number of lanes."""
 
 
 def solver_names(lanes: int) -> tuple[str, ...]:
@@ -527,7 +529,7 @@ class Emitter:
         self.names[node] = self.f.let(f"call {self.v} @{name}({text})")
 
     def _arctangent(self, node: int, word: str, a: int) -> None:
-        self._call(node, arctangent_name(self.lanes), (a,))
+        self._call(node, f"{ARCTANGENT}{self.lanes}", (a,))
 
     def _sincos(self, node: int, word: str, angle: int) -> None:
         if angle not in self.angles:

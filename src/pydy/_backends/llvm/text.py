@@ -11,12 +11,13 @@ from enum import Enum
 
 import numpy as np
 
-from pydy._backends.llvm.arctangent import (
-    arctangent_declarations,
-    arctangent_function,
-    arctangent_name,
+from pydy._backends.llvm.emit import (
+    ARCTANGENT,
+    BRANCH_WEIGHTS,
+    Emitter,
+    called_functions,
+    solver_declarations,
 )
-from pydy._backends.llvm.emit import BRANCH_WEIGHTS, Emitter, called_functions, solver_declarations
 from pydy._backends.llvm.ir import (
     HEAP_DECLARATIONS,
     MALLOC,
@@ -75,9 +76,12 @@ def module_text(body: str, parts: Sequence[tuple[Program, int]]) -> str:
         for width in WIDTHS
         if f"@pydy_sincos_{kind}{width}(" in body
     ]
-    for lanes in WIDTHS:
-        if f"@{arctangent_name(lanes)}(" in body:
-            head += [arctangent_declarations(lanes), arctangent_function(lanes)]
+    if f"@{ARCTANGENT}" in body:
+        from pydy._backends.llvm import arctangent  # most models have none
+
+        for lanes in WIDTHS:
+            if f"@{ARCTANGENT}{lanes}(" in body:
+                head += [arctangent.declarations(lanes), arctangent.function(lanes)]
     for lanes in sorted({lanes for _, lanes in parts} - {1}):
         calls: dict[str, int] = {}
         for program, program_lanes in parts:
