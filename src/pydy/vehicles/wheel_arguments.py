@@ -64,17 +64,17 @@ def normal_force_of(law: Law, gap: Expression, rate: Expression) -> Expression:
     return sm.Piecewise((pressed, sm.Lt(gap, 0, evaluate=False)), (0, True), evaluate=False)
 
 
-class _Shape(NamedTuple):
+class _ForceLaw(NamedTuple):
     """Whether a law of a gap and its rate is negative somewhere, and grows with positive gaps."""
 
     negative: bool
     grows: bool
 
 
-_UNKNOWN = _Shape(negative=True, grows=False)
+_UNKNOWN = _ForceLaw(negative=True, grows=False)
 
 
-def _shape(law: Expression, variables: tuple[Expression, ...]) -> _Shape:
+def _shape(law: Expression, variables: tuple[Expression, ...]) -> _ForceLaw:
     """Return the shape of a law, from its values at many gaps and rates."""
     others = _variables(law).difference(variables)
     if any(s.has(*variables) for s in others):  # unknown functions of them
@@ -101,7 +101,7 @@ def _shape(law: Expression, variables: tuple[Expression, ...]) -> _Shape:
                 grows |= bool((lifted > lifted[:, :1] + rounding).any())
     except (NameError, TypeError, ValueError):  # functions without numbers
         return _UNKNOWN
-    return _Shape(negative, grows)
+    return _ForceLaw(negative, grows)
 
 
 class SurfacePoint(Point):  # type: ignore[misc]  # SymPy has no types
