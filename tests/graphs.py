@@ -5,6 +5,7 @@ import sympy as sm
 
 from pydy._assembly.assembly import Assembly, EquationBlocks
 from pydy._assembly.programs import block_program
+from pydy._graph.derivative import jacobian
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.linear_system import LinearSystem
 from pydy._graph.lowering import lower
@@ -25,6 +26,7 @@ __all__ = [
     "P",
     "T",
     "X",
+    "derivatives",
     "evaluate",
     "everything",
     "form",
@@ -148,3 +150,12 @@ def solves():
 def form(body: Multibody, *, in_bodies: bool, articulated: bool) -> EquationGraph:
     """Return the equations of motion in one form."""
     return forms(body, in_bodies=in_bodies).equations[-1 if articulated else 0]
+
+
+def derivatives(expressions, *point, variables=X, p=()):
+    """The dense Jacobian of expressions in X, P with respect to symbols of X."""
+    graph, nodes = nodes_of(expressions)
+    rows = jacobian(graph, nodes, [graph.input("x", X.index(v)) for v in variables])
+    cells = [row.get(k, graph.zero) for row in rows for k in range(len(variables))]
+    program = on_tape(graph, cells)
+    return values(program, point, p).reshape(len(nodes), len(variables))

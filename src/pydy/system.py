@@ -2045,7 +2045,8 @@ class System:
         -----
         PyDyUserWarning
             A state does not satisfy the constraints; a load or rate has a kink or a jump there, of
-            which the model knows one side; or neither `at` nor `t` is given, the initial
+            which the model knows one side; a Piecewise avoids a division by zero there, with a
+            branch of another slope; or neither `at` nor `t` is given, the initial
             conditions are no equilibrium, and the model changes along the motion from there.
             Coordinates that no other rate depends on, such as the position of a vehicle, do not
             count. A change that begins in the third or a higher order of time is not seen, nor

@@ -133,12 +133,45 @@ def test_constraints_that_jump_in_time_are_told(row, what):
         lambda v: -sm.Symbol("c1") * sm.Max(v, 0) - sm.Symbol("c2") * sm.Min(v, 0),
     ],
 )
-def test_a_slope_that_both_sides_have_but_not_the_tie_is_told(drag):
+def test_a_slope_that_both_sides_have_is_that_of_the_linear_model(drag):
+    system = particle_with(drag(V))
+    system.constants = dict.fromkeys(system.constants_symbols, 1.0)
+    assert system.linearize(at={}).A[1, 1] == -1.0  # a warning would be an error
+    sweep = system.eigenvalues({sm.Symbol("m"): [1.0, 2.0]}, at={})
+    np.testing.assert_allclose(sweep.A[:, 1, 1], [-1.0, -0.5])
+
+
+def particle_with(force, *more, directions=(X,), speeds=(V,)):
+    """A particle of mass m with a force along x, and others along y."""
     frame, origin = inertial_frame()
-    place = origin.locatenew("P", X * frame.x)
-    place.set_vel(frame, V * frame.x)
-    bodies, loads = [me.Particle("b", place, 1)], [(place, drag(V) * frame.x)]
-    system = System(Definition(frame, [X], [V], bodies=bodies, loads=loads))
-    with pytest.warns(PyDyUserWarning, match="is -1 on both sides, but 0 is returned"):
+    axes = list(frame)[: len(directions)]
+    position = sum(q * axis for q, axis in zip(directions, axes, strict=True))
+    velocity = sum(u * axis for u, axis in zip(speeds, axes, strict=True))
+    point = origin.locatenew("P", position)
+    point.set_vel(frame, velocity)
+    load = sum(f * axis for f, axis in zip((force, *more), axes, strict=True))
+    body = me.Particle("b", point, sm.Symbol("m"))
+    definition = Definition(frame, directions, speeds, bodies=[body], loads=[(point, load)])
+    return System(definition, constants={sm.Symbol("m"): 1.0})
+
+
+Y, W = me.dynamicsymbols("y w")
+
+
+@pytest.mark.parametrize("slope", [1e-9, 10.0, 1e12])
+def test_a_slope_that_a_protected_division_hides_is_told(slope):
+    sliding = sm.sqrt(V**2 + W**2)
+    friction = sm.Piecewise((0, sm.Eq(sliding, 0)), (-sm.tanh(slope * sliding) / sliding, True))
+    system = particle_with(friction * V, friction * W, directions=(X, Y), speeds=(V, W))
+    message = rf"slope {-slope:.3g} by v\(t\) on both sides, but 0 is returned".replace("+", r"\+")
+    with pytest.warns(PyDyUserWarning, match=message) as told:
         system.linearize(at={})
-    system.linearize(at={V: 1e-6})  # a warning would be an error
+    assert len(told) == 1
+    with pytest.warns(PyDyUserWarning, match=message):
+        system.eigenvalues({sm.Symbol("m"): [1.0, 2.0]}, at={})
+    system.linearize(at={V: 1e-6 / slope})  # a warning would be an error
+
+
+def test_a_protected_division_whose_branch_is_right_is_not_told():
+    ratio = sm.Piecewise((1, sm.Eq(V, 0)), (sm.sin(V) / V, True))
+    assert particle_with(-X * ratio).linearize(at={}).A[1].tolist() == [-1.0, 0.0]

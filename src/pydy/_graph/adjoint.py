@@ -16,7 +16,7 @@ from collections.abc import Mapping, Sequence
 from functools import reduce
 from operator import or_
 
-from pydy._graph.derivative import definite, times, undefined
+from pydy._graph.derivative import condition_on_side, definite, on_side, times, undefined
 from pydy._graph.linear_system import LinearSystem, solve_factored
 from pydy._graph.node import Graph
 from pydy._graph.roots import is_steep, of_half_power, slope
@@ -108,20 +108,22 @@ class _Sweep:
                 if n in self.active:
                     by_radicand = of_half_power(g, args, k)
                     if by_radicand is not None:
-                        self.add(g.args[n][0], times(g, bar, by_radicand))
+                        self.add(g.args[n][0], times(g, bar, on_side(g, by_radicand)))
                         continue
-                    cofactors = [(m, f) for j, (m, f) in enumerate(args) if j != k]
-                    self.add(n, times(g, bar, g.product([*cofactors, (n, e - 1)], float(e))))
+                    factors = [(m, f - (j == k)) for j, (m, f) in enumerate(args)]
+                    partial = g.product([(on_side(g, m), f) for m, f in factors], float(e))
+                    self.add(n, times(g, bar, partial))
         elif op == "select":
-            _, yes, no = args  # the side that is not taken gets zero, or NaN
-            self.add(yes, g.call("select", args[0], bar, self._zero_or_undefined(no, yes, bar)))
-            self.add(no, g.call("select", args[0], self._zero_or_undefined(yes, no, bar), bar))
+            condition, yes, no = condition_on_side(g, node), *args[1:]
+            # The side that is not taken gets zero, or NaN.
+            self.add(yes, g.call("select", condition, bar, self._zero_or_undefined(no, yes, bar)))
+            self.add(no, g.call("select", condition, self._zero_or_undefined(yes, no, bar), bar))
         elif op == "item":
             self.vectors.setdefault(args[0], {})[args[1]] = bar
         elif op in OPERATIONS:
             partials = OPERATIONS[op].partials
             if partials is not None:  # else it is piecewise constant
-                slopes = [times(g, bar, d) for d in partials(g, node, *args)]
+                slopes = [times(g, bar, on_side(g, d)) for d in partials(g, node, *args)]
                 if is_steep(g, node):
                     slopes[0] = slope(g, node, bar)
                 for n, d in zip(args, slopes, strict=True):

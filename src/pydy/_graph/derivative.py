@@ -50,9 +50,8 @@ class SparseRows(list[Row]):
 def jacobian(graph: Graph, outputs: Sequence[int], variables: Sequence[int]) -> SparseRows:
     """Return the derivatives of outputs by variables, which are columns in their order.
 
-    At a switch (``abs``, ``sign``, ``min``, ``max``,
-    ``floor``, Piecewise) the derivative is that of the branch that is taken; steps have derivative
-    zero.
+    At a switch (``abs``, ``sign``, ``min``, ``max``, Piecewise) the derivative is the one on the
+    side where its argument is positive, see `pydy._graph.one_sided`; steps have derivative zero.
     """
     seeds: dict[int, Row] = {}
     for k, node in enumerate(variables):  # of which one may be there several times
@@ -84,6 +83,24 @@ def directional(
     final = [_without_roots_stored(graph, n, rows) for n in outputs]
     nonzero = [{k: d for k, d in sorted(row.items()) if d != zero} for row in final]
     return SparseRows(nonzero, zero, directions)
+
+
+def on_side(g: Graph, node: int) -> int:
+    """Return a node at a switch on the side that derivatives belong to."""
+    if not g.has_steps:
+        return node
+    from pydy._graph.one_sided import one_sided  # most models do not switch
+
+    return one_sided(g, node)
+
+
+def condition_on_side(g: Graph, select: int) -> int:
+    """Return the condition of a ``select`` on the side that its derivative belongs to."""
+    if not g.has_steps:
+        return int(g.args[select][0])
+    from pydy._graph.one_sided import condition_on_side
+
+    return condition_on_side(g, select)
 
 
 class DerivativeRows:
@@ -144,15 +161,15 @@ def _row(g: Graph, node: int, rows: dict[int, Row], vectors: dict[int, list[Row]
         parts = []
         for k, (n, e) in enumerate(args):
             if rows[n]:
-                cofactors = [(m, f) for j, (m, f) in enumerate(args) if j != k]
+                cofactors = [(on_side(g, m), f) for j, (m, f) in enumerate(args) if j != k]
                 by_radicand = of_half_power(g, args, k)
                 if by_radicand is not None:
-                    parts.append((rows[g.args[n][0]], by_radicand, 1.0))
+                    parts.append((rows[g.args[n][0]], on_side(g, by_radicand), 1.0))
                 else:
                     parts += _product_parts(g, (n, e), cofactors, rows)
         return _combine(g, parts)
     if op == "select":
-        condition, yes, no = args
+        condition, yes, no = condition_on_side(g, node), *args[1:]
         keys = {*rows[yes], *rows[no]}
         # What a branch does not depend on has derivative zero there, NaN where its value is.
         absent = [undefined(g, n) if keys - rows[n].keys() else g.zero for n in (yes, no)]
@@ -180,9 +197,9 @@ def _row(g: Graph, node: int, rows: dict[int, Row], vectors: dict[int, list[Row]
         by_root: Row = {-1 - node: g.one}
         if op != "pow":
             return by_root
-        by_exponent = operation.partials(g, node, *args)[1]
+        by_exponent = on_side(g, operation.partials(g, node, *args)[1])
         return _combine(g, [(by_root, None, 1.0), (rows[args[1]], by_exponent, 1.0)])
-    partials = operation.partials(g, node, *args)
+    partials = [on_side(g, d) for d in operation.partials(g, node, *args)]
     if switched:
         # Where the radicand stays zero an infinite slope has no part in it.
         radicand_row = _without_roots_stored(g, args[0], rows)
@@ -234,14 +251,15 @@ def _product_parts(
                 for m, c in roots:
                     inner = g.args[m] if g.ops[m] == "prod" else ((m, 1),)
                     for k, (root, power) in enumerate(inner):
-                        inner_cofactors = [*inner[:k], *inner[k + 1 :], *cofactors]
+                        others = [(on_side(g, o), f) for o, f in (*inner[:k], *inner[k + 1 :])]
+                        inner_cofactors = [*others, *cofactors]
                         parts_of_root = _product_parts(g, (root, power), inner_cofactors, rows)
                         parts += [
                             (row, slope_of_row, c * weight)
                             for row, slope_of_row, weight in parts_of_root
                         ]
                 return parts
-    return [(rows[n], g.product([*cofactors, (n, e - 1)], float(e)), 1.0)]
+    return [(rows[n], g.product([*cofactors, (on_side(g, n), e - 1)], float(e)), 1.0)]
 
 
 def _holds_root(g: Graph, term: int, cofactors: Sequence[tuple[int, int]]) -> bool:

@@ -29,6 +29,7 @@ if TYPE_CHECKING:
 
 # Factors of a product that are not just counted.
 _SPECIAL_FACTORS = frozenset({"const", "prod", "sum", "sqrt"})
+_STEPS = frozenset({"sign", "select"})
 
 
 class Graph(Nodes):
@@ -42,6 +43,9 @@ class Graph(Nodes):
     def __init__(self, off: frozenset[str] = frozenset()) -> None:
         super().__init__()
         self.off = off  # what its nodes are not simplified by (`pydy._graph.passes.names`)
+        self.has_steps = False  # whether any node may jump, other than guards
+        self.one_sided: dict[int, int] = {}  # see `pydy._graph.one_sided`, as `facts`
+        self.facts = bytearray()
         self._counted: list[bool] = []  # whether a product only counts how often it has the node
         self.zero = self.const(0.0)
         self.one = self.const(1.0)
@@ -59,6 +63,8 @@ class Graph(Nodes):
         twin.constant, twin._node_of = self.constant.copy(), self._node_of.copy()
         twin._operands, twin._counted = self._operands.copy(), self._counted.copy()
         twin.zero, twin.one, twin.off = self.zero, self.one, self.off
+        twin.has_steps, twin.one_sided = self.has_steps, {} if names else self.one_sided.copy()
+        twin.facts = bytearray() if names else self.facts.copy()
         nodes = {}
         for old, new in (names or {}).items():
             node = twin._node_of.pop(("input", old), None)
@@ -232,6 +238,8 @@ class Graph(Nodes):
     def call(self, op: str, *nodes: int) -> int:
         """Return a function, comparison, Boolean operation or ``select`` applied to nodes."""
         row = OPERATIONS[op]
+        if op in _STEPS:
+            self.has_steps = True
         values = [self.args[n][0] if self.ops[n] in ("const", "bool") else None for n in nodes]
         if row.rewrite is not None:
             simpler = row.rewrite(self, nodes, values)

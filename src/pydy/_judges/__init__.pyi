@@ -19,6 +19,7 @@ from .discontinuities import (
     node_of as node_of,
     warn_of_jumps as warn_of_jumps,
     warn_of_kinks as warn_of_kinks,
+    warn_of_protected_states as warn_of_protected_states,
     watched as watched,
 )
 from .judges import judge_motion as judge_motion, judge_start as judge_start

@@ -10,7 +10,13 @@ import numpy as np
 
 from pydy._assembly import Assembly, Definition, Plan, differentiated, kinetic_hessian
 from pydy._errors import warn_user
-from pydy._graph import Branches, inputs_of, jacobian, rounding_bounds, substitute
+from pydy._graph import (
+    Branches,
+    inputs_of,
+    jacobian,
+    rounding_bounds,
+    substitute,
+)
 from pydy._interpolation import in_order
 from pydy._judges.passages import MotionPath, Values, WatchedQuantities, jump_message, passages
 from pydy._kernel import KernelCall
@@ -39,8 +45,8 @@ def _switched(
 ) -> tuple[list[int], dict[str, list[int]]]:
     """Return the switches in `searched` that depend on `inputs`, also as named blocks.
 
-    They may depend on `other_inputs` in addition. With `bends`, those count too at which terms
-    change that cancel, such as the smooth ``max(x, 0) + min(x, 0)``.
+    They may depend on `other_inputs` in addition. With `bends`, those count too at which the nodes
+    only have kinks.
     """
     graph = assembly.graph
     switches: list[int] = []
@@ -49,7 +55,7 @@ def _switched(
         above, below = Branches(graph, nodes).sides(switch, bends)
         inputs_of_switch = inputs_of(graph, [switch]).groups
         relevant = inputs_of_switch & {*inputs} and inputs_of_switch <= {*inputs, *other_inputs}
-        if (bends or above != below) and relevant:
+        if above != below and relevant:
             switches.append(switch)
             steps += map(graph.sub, above, below)
     return switches, {"nodes": [*nodes] if switches else [], "switches": switches, "steps": steps}
@@ -100,10 +106,7 @@ class Discontinuities:
 
 @dataclass(frozen=True)
 class DerivativeDiscontinuities:
-    """The switches of rates with rounding bounds, and the rates' derivatives there.
-
-    These are the ones on both sides, and those of the expression as it is.
-    """
+    """The switches of rates with rounding bounds, and the rates' derivatives on both sides."""
 
     coordinates: int
 
@@ -117,11 +120,7 @@ class DerivativeDiscontinuities:
             for side in Branches(graph, nodes).sides(switch, True)
             for n in side
         ]
-        groups = {
-            "switch_slopes": switches,
-            "slopes": both_sides,
-            "returned": nodes if switches else [],
-        }
+        groups = {"switch_slopes": switches, "slopes": both_sides}
         slopes = {name: jacobian(graph, group, variables).flat() for name, group in groups.items()}
         return {**blocks, **slopes, "bounds": rounding_bounds(graph, switches)}
 
@@ -159,11 +158,11 @@ class ImpulsiveInputs:
         return names
 
 
-def _switches(at: StateSamples, parts: Any) -> bool:
+def _switches(at: StateSamples, parts: Any, block: str = "switches") -> bool:
     """Return whether anything switches. The answer is cached in the model."""
     cache = at.model.latest
     if parts not in cache:
-        cache[parts] = bool(at.interpret(parts)["switches"].size)
+        cache[parts] = bool(at.interpret(parts)[block].size)
     return bool(cache[parts])
 
 
@@ -216,9 +215,6 @@ def warn_of_kinks(
 ) -> None:
     """Warn of the first state at which the rates to be linearised have a kink or jump.
 
-    A derivative there belongs to no side if several terms switch: it may differ from one that both
-    sides have in common, as 0 of ``max(x, 0) + min(x, 0)`` at x = 0.
-
     The directions are the tangents T, (m, n, k), of the `free` states, and the specifieds in
     `columns`.
     """
@@ -234,37 +230,21 @@ def warn_of_kinks(
     steps[steps <= HALF * np.abs(values["nodes"])[:, None]] = 0.0
     switch_slopes = values["switch_slopes"].reshape(m, count, 1, n + w)
     sides = values["slopes"].reshape(m, count, 2 * width, n + w)
-    returned = np.broadcast_to(
-        values["returned"].reshape(m, 1, width, n + w), (m, count, width, n + w)
-    )
-    slopes = np.concatenate([switch_slopes, sides, returned], axis=2)
+    slopes = np.concatenate([switch_slopes, sides], axis=2)
     rows = np.broadcast_to(at.r, (m, w))
     for k, switch in np.argwhere(near):
         with np.errstate(all="ignore"):  # non-finite values are reported where they are used
             directional = slopes[k, switch, :, :n] @ T[k]
             by_inputs = slopes[k, switch, :, n:][:, [*columns]]
             directional = np.concatenate([directional, by_inputs], axis=1)
-        above, below, taken = (
-            directional[1 + part * width : 1 + (part + 1) * width] for part in range(3)
-        )
+        above, below = directional[1 : 1 + width], directional[1 + width :]
         largest = np.maximum(np.abs(above), np.abs(below))
-        alike = (np.abs(above - below) <= HALF * largest) & (steps[k, switch] == 0.0)[:, None]
-        lost = alike & (np.abs(taken - above) > HALF * np.maximum(largest, np.abs(taken)))
         turns = (np.abs(above - below) > HALF * largest) | (steps[k, switch] > 0.0)[:, None]
         acts = directional[0] != 0.0
-        for row, column in [*np.argwhere(turns & acts), *np.argwhere(lost & acts)][:1]:
+        for row, column in np.argwhere(turns & acts)[:1]:
             symbols = [*(states[j] for j in free), *(definition.specifieds[j] for j in columns)]
             value = [*at.x[k, free], *rows[k, [*columns]]][column]
             speed = row < len(states) and states[row] in equations.speeds
-            if not turns[row, column]:
-                warn_user(
-                    f"At t = {at.t[k]:.6g}, {symbols[column]} = {value:.6g} terms of the "
-                    f"{'load on' if speed else 'rate of'} {states[row]} switch that cancel: its "
-                    f"slope by {symbols[column]} is {above[row, column]:.3g} on both sides, but "
-                    f"{taken[row, column]:.3g} is returned. Linearize beside it, or write it "
-                    "without Abs, Max, Min, sign or Piecewise."
-                )
-                return
             description = f"jumps by {steps[k, switch, row]:.3g}"
             if not steps[k, switch, row]:
                 description = f"has the slope {above[row, column]:.3g} on one side by it"
@@ -274,6 +254,66 @@ def warn_of_kinks(
                 f"{symbols[column]} = {value:.6g}: the {'load on' if speed else 'rate of'} "
                 f"{states[row]} {description}. What is returned takes one side. Linearize beside "
                 "it, or give a smooth expression."
+            )
+            return
+
+
+@dataclass(frozen=True)
+class _ProtectedStates:
+    """The rates, and conditions that are true at single states; see `warn_of_protected_states`."""
+
+    def __call__(self, assembly: Assembly) -> dict[str, list[int]]:
+
+        from pydy._graph import protected_conditions  # loads what integration does not need
+
+        graph, rates = assembly.graph, assembly.blocks.rates
+        conditions = protected_conditions(graph, rates)
+        truths = [graph.call("select", n, graph.one, graph.zero) for n in conditions]
+        return {"conditions": truths, "rates": [*rates] if conditions else []}
+
+
+# Distances from a state to both sides. Whatever its unit is, neighbours among them are small beside
+# natural lengths and large beside rounding errors, and give the same slope.
+_DISTANCES = 2.0 ** -np.arange(4.0, 100.0, step=4.0)
+_SAME_SLOPE = 2.0**-8  # an error of the first order changes sixteenfold between neighbours
+
+
+def warn_of_protected_states(
+    at: StateSamples, T: np.ndarray, free: np.ndarray, A: np.ndarray
+) -> None:
+    """Warn of the first state at which a Piecewise protects the rates from a division by zero.
+
+    In ``Piecewise((0, Eq(s, 0)), (tanh(s) v / s, True))``, with a sliding speed s, what stands at
+    s = 0 has the slope zero by v, and both sides have the slope 1. The derivatives A, (m, k, k),
+    are compared with difference quotients along the tangents T, (m, n, k), of the `free` states.
+    """
+    parts = _ProtectedStates()
+    if not _switches(at, parts, "conditions"):
+        return
+    states = at.definition.states
+    for k in np.flatnonzero(at.interpret(parts)["conditions"].any(axis=1)):
+        distances = _DISTANCES[:, None, None] * np.array([1.0, -1.0])[:, None]
+        x = at.x[k] + T[k].T[:, None, None] * distances  # directions, distances, sides, states
+        sides = replace(at.subset(np.full(x[..., 0].size, k)), x=x.reshape(-1, len(states)))
+        rates = sides.interpret(parts)["rates"].reshape(x.shape)[..., free]
+        with np.errstate(all="ignore"):
+            slopes = (rates[:, :, 0] - rates[:, :, 1]) / (2.0 * _DISTANCES[:, None])
+            change = np.abs(np.diff(slopes, axis=1))
+        change[~np.isfinite(change)] = np.inf
+        best = change.argmin(axis=1)[:, None]
+        slope = np.take_along_axis(slopes, best + 1, axis=1)[:, 0].T  # rates, directions
+        error = np.take_along_axis(change, best, axis=1)[:, 0].T
+        largest = np.maximum(np.abs(slope), np.abs(A[k]))
+        lost = (error <= _SAME_SLOPE * np.abs(slope)) & (np.abs(slope - A[k]) > HALF * largest)
+        for row, column in np.argwhere(lost)[:1]:
+            rate, state = (states[free[i]] for i in (row, column))
+            speed = rate in at.definition.equations.speeds
+            warn_user(
+                f"At t = {at.t[k]:.6g}, {state} = {at.x[k, free[column]]:.6g} a Piecewise has a "
+                f"branch for this state alone: the {'load on' if speed else 'rate of'} {rate} has "
+                f"the slope {slope[row, column]:.3g} by {state} on both sides, but "
+                f"{A[k][row, column]:.3g} is returned, that of the branch. Linearize beside it, or "
+                "write it without a division by zero, for example with sqrt(v**2 + epsilon**2)."
             )
             return
 

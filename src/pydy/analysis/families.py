@@ -10,7 +10,7 @@ import numpy as np
 from pydy._assembly import Definition
 from pydy._checks import check_mapping, flag, integer, positive, real_array, shown
 from pydy._errors import EquilibriumError, finished_before, warn_user
-from pydy._judges import warn_of_missing_derivatives
+from pydy._judges import warn_of_kinks, warn_of_missing_derivatives, warn_of_protected_states
 from pydy._names import unique_names
 from pydy._optional import progress_of
 from pydy._problem import (
@@ -132,7 +132,7 @@ class Family:
 
     def functions(self, start: np.ndarray) -> Functions:
         """Return the functions for `trace`; the spectrum is that of states active at the start."""
-        residual, active = self.residual, spectra_of(self.matrices(start[None])[0])[1]
+        residual, active = self.residual, spectra_of(self.matrices(start[None], warn=True)[0])[1]
         return (
             lambda z: residual.residuals(z[None])[0],
             lambda z: residual.slopes(z[None])[0],
@@ -140,8 +140,13 @@ class Family:
             lambda slopes, z: residual.sizes(slopes[None], z[None])[0],
         )
 
-    def matrices(self, z: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Return the state matrices, all states, and the indices of the independent ones."""
+    def matrices(
+        self, z: np.ndarray, warn: bool = False
+    ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Return the state matrices, all states, and the indices of the independent ones.
+
+        With `warn`, warn where the equations have kinks.
+        """
         residual = self.residual
         point = residual.point_at(z)
         T, free = point.tangents()
@@ -152,6 +157,9 @@ class Family:
                 "The equations or their derivatives are not finite at "
                 f"{self.names[-1]} = {z[int(sound.argmin()), -1]:.10g}: there is no linear model."
             )
+        if warn:
+            warn_of_kinks(point, T, free, ())
+            warn_of_protected_states(point, T, free, A)
         return A, point.x, free
 
     def models(self, values: np.ndarray, states: np.ndarray) -> np.ndarray:
@@ -272,6 +280,7 @@ def eigenvalues(
                 report(count)
         sweep = builder.sweep()
         _ = sweep.eigenvalues  # computed here: an interruption is handled below
+        family.matrices(family.unknowns_at(sweep.values, sweep.equilibria), warn=True)
     except (KeyboardInterrupt, MemoryError) as stop:
         if not builder.done:
             raise

@@ -19,7 +19,12 @@ import numpy as np
 from pydy._assembly import Definition, errors_of
 from pydy._checks import SymbolIndex, choice, listed, real_array
 from pydy._errors import warn_user
-from pydy._judges import first_violation, warn_of_kinks, warn_of_missing_derivatives
+from pydy._judges import (
+    first_violation,
+    warn_of_kinks,
+    warn_of_missing_derivatives,
+    warn_of_protected_states,
+)
 from pydy._motion import constraint_names
 from pydy._names import few, some, unique_names
 from pydy._optional import require
@@ -320,6 +325,7 @@ def linearize(
     if at is None and user_t is None:
         _warn_of_motion(problem, point)
     warn_of_kinks(point, T, free, columns)
+    warn_of_protected_states(point, T, free, A)
     A, B, C, D, rates = (part[0] if single else part for part in parts)
     return LinearModel(
         A, B, C, D,

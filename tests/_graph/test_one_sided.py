@@ -1,0 +1,70 @@
+"""Where several terms switch at one point, their derivatives are those of one side."""
+
+import numpy as np
+import pytest
+import sympy as sm
+
+from graphs import X, derivatives
+from pydy._graph import Graph, adjoints, jacobian
+
+x, y = X[:2]
+HEAVISIDE = sm.Heaviside(x), sm.Heaviside(-x)
+SMOOTH_AT_ZERO = [
+    (sm.Max(x, 0) + sm.Min(x, 0), 1.0),
+    (sm.Max(0, -2 * x) + sm.Min(0, -2 * x), -2.0),
+    (sm.Abs(x) * sm.sign(x), 1.0),
+    (sm.tanh(3 * sm.Abs(x)) * sm.sign(x), 3.0),
+    (sm.sqrt(x**2) * sm.sign(-x), -1.0),
+    (sm.Max(x, 0) - sm.Abs(x) / 2, 0.5),
+    (sm.Piecewise((x, x > 0), (0, True)) + sm.Piecewise((x, x < 0), (0, True)), 1.0),
+    (sm.Piecewise((x, x <= 0), (0, True)) + sm.Piecewise((x, x >= 0), (0, True)), 1.0),
+    (sm.Piecewise((2 * x, x <= 0), (0, True)) + 2 * sm.Max(x, 0), 2.0),
+    (x * HEAVISIDE[0] + x * HEAVISIDE[1], 1.0),
+    (sm.Piecewise((x, (x > 0) & (y < 1)), (0, True)) + sm.Min(x, 0), 1.0),
+    (sm.exp(sm.sign(x)) * x - sm.exp(2 * sm.Heaviside(x, 0) - 1) * x, 0.0),
+]
+"""Expressions that are smooth in x at zero, with their slopes there."""
+
+
+@pytest.mark.parametrize(("expression", "slope"), SMOOTH_AT_ZERO)
+def test_terms_that_switch_together_have_the_slope_that_both_sides_have(expression, slope):
+    assert derivatives([expression], 0.0, 0.5, variables=(x, y))[0, 0] == pytest.approx(slope)
+
+
+@pytest.mark.parametrize(("expression", "slope"), SMOOTH_AT_ZERO)
+def test_slopes_at_zero_are_the_limits_of_those_beside_it(expression, slope):
+    for side in (-1e-9, 1e-9):
+        near = derivatives([expression], side, 0.5, variables=(x, y))[0, 0]
+        assert near == pytest.approx(slope, rel=1e-6)
+
+
+def test_reverse_accumulation_takes_the_same_side():
+    g = Graph()
+    node = g.input("x", 0)
+    switched = g.mul(g.call("abs", node), g.call("sign", node))
+    positive = g.call("lt", g.zero, node)
+    pieces = g.add(g.call("select", positive, node, g.zero), g.call("min", node, g.zero), switched)
+    forward = jacobian(g, [pieces], [node]).flat()
+    assert forward == adjoints(g, [pieces], [g.one], [node])
+
+
+def test_a_branch_that_is_singular_at_the_switch_is_not_entered():
+    root = sm.Piecewise((0, x <= 0), (sm.sqrt(x), True))
+    quotient = sm.Piecewise((0, sm.Eq(x, 0)), (sm.sin(x**3) / x**2, True))
+    np.testing.assert_array_equal(derivatives([root, quotient], 0.0, variables=(x,)), [[0], [0]])
+
+
+def test_an_equality_of_parameters_selects_an_equation():
+    expression = sm.Piecewise((2 * x, sm.Eq(y, 1)), (3 * x, True))
+    graph = Graph()
+    state, mode = graph.input("x", 0), graph.input("p", 0)
+    chosen = graph.call("eq", mode, graph.one)
+    node = graph.call("select", chosen, graph.sum([(state, 2.0)]), graph.sum([(state, 3.0)]))
+    slope = jacobian(graph, [node], [state])[0][0]
+    assert graph.ops[slope] == "select"
+    assert derivatives([expression], 0.5, 2.0, variables=(x,))[0, 0] == 3.0
+
+
+def test_a_plateau_is_no_single_point():
+    expression = sm.Piecewise((2 * x, sm.Eq(sm.Max(x, 0), 0)), (3 * x, True))
+    assert derivatives([expression], -1.0, variables=(x,))[0, 0] == 2.0
