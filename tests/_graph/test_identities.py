@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from graphs import on_tape
+from pydy._graph import signatures
 from pydy._graph.passes.merge import merge_equal
 
 
@@ -126,3 +127,13 @@ def test_deep_graphs_need_no_recursion(graph, x, y):
     for _ in range(1100):
         node = graph.call("sin", graph.add(node, y))
     assert merge_equal(graph, [node]) == [node]
+
+
+@pytest.mark.parametrize("accurate", [True, False])
+def test_a_solution_that_is_always_accurate_vanishes_with_its_right_side(graph, x, accurate):
+    """Of a constant matrix it is known beforehand; where it never is, a fallback is no value."""
+    difference = graph.sub(graph.mul(x, x), graph.powi(x, 2))
+    condition = graph.make("bool", (accurate,))
+    solution = graph.make("guard", (1, (graph.one,), (difference,), condition, (difference,)))
+    (value,) = signatures(graph, [graph.make("item", (solution, 0))])
+    assert (value == 0) == accurate

@@ -9,6 +9,7 @@ import sympy.physics.mechanics as me
 from scipy.optimize import brentq
 
 import zoo
+from pydy.analysis.equilibrium_residual import EquilibriumResidual
 from pydy.examples import whipple_bicycle
 from pydy.mechanics import Definition, Implicit
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
@@ -62,6 +63,19 @@ def test_a_car_in_a_steady_turn_has_one_model_all_along(free_speed):
     model = car.linearize()  # a warning would be an error
     later = car.linearize({"psi": 1.0})
     assert np.sort_complex(model.eigenvalues) == pytest.approx(np.sort_complex(later.eigenvalues))
+
+
+def test_a_steady_motion_is_recognized_without_the_terms_of_its_rates(monkeypatch):
+    """The sizes of all terms take a hundred times as long; a departure alone needs them."""
+    calls, terms = [], EquilibriumResidual.terms
+    monkeypatch.setattr(EquilibriumResidual, "terms", lambda *a: calls.append(a) or terms(*a))
+    car = single_track(CARS["bmw_320i"], MagicFormula(TABLE_A31))
+    car.linearize()  # straight ahead
+    assert not calls
+    car.specifieds = {"delta": 0.05}
+    with pytest.warns(UserWarning, match=CHANGES):
+        car.linearize()
+    assert calls
 
 
 def test_a_car_that_begins_to_turn_is_warned_of():

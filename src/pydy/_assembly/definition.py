@@ -120,6 +120,12 @@ class Definition:
             what: SymbolIndex(s, f"{what} of the system") for what, s in vars(self.layout).items()
         }
 
+    @cached_property
+    def variables(self) -> SymbolIndex:
+        """Where states and outputs lie in rows of both, the states first."""
+        symbols = (*self.states, *self.outputs.symbols)
+        return SymbolIndex(symbols, "states and outputs of the system")
+
     def row_names(self, block: str) -> list[str]:
         """Return the names of a block's values for messages."""
         equations = self.equations

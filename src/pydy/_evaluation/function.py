@@ -20,7 +20,6 @@ from pydy._problem import (
     CallArguments,
     Problem,
     StateSamples,
-    read_samples,
     with_unknowns,
 )
 from pydy._program import Program
@@ -84,13 +83,8 @@ class Evaluator:
         code, definition = problem.model.code, problem.definition
         n = len(definition.states)
         arguments = CallArguments(problem)
-        wide, instants, single = read_samples(
-            arguments.states(x),
-            t,
-            lambda: problem.x,
-            problem.settings.times,
-            n + self.extra_columns,
-            columns=True,
+        wide, instants, single = arguments.samples(
+            x, t, extra_columns=self.extra_columns, columns=True
         )
         plan: SpecifiedsPlan | None = None
         if r is None or callable(r) or isinstance(r, Mapping):

@@ -105,9 +105,9 @@ class _Solutions:
             column = args[1]
         elif op == "guard":
             _, _, _, sound, fast = args
-            # A constant is False: it always falls back, and a least solution has no value here.
-            is_constant = self.graph.ops[sound] == "bool"
-            return None if is_constant else [self.values[k] for k in fast]
+            # It falls back always if the condition is False: a least solution has no value here.
+            never = self.graph.ops[sound] == "bool" and not self.graph.args[sound][0]
+            return None if never else [self.values[k] for k in fast]
         else:
             return None
         if n > 32:  # it takes n³ times 0.2 µs in Python

@@ -25,10 +25,7 @@ from .settings import (
     read_numbers as read_numbers,
 )
 from .specifieds import checked_plan as checked_plan
-from .state_samples import (
-    StateSamples as StateSamples,
-    read_samples as read_samples,
-)
+from .state_samples import StateSamples as StateSamples
 from .trajectory_model import TrajectoryModel as TrajectoryModel
 from .tuning import FIT as FIT, TOGETHER as TOGETHER
 from .undefined import first_undefined as first_undefined

@@ -1,4 +1,4 @@
-"""A model at many states, and the states that users give for it."""
+"""A model at many states."""
 
 from __future__ import annotations
 
@@ -9,7 +9,6 @@ from typing import Any, Self
 import numpy as np
 
 from pydy._assembly import Assembly, CompiledModel, Definition
-from pydy._checks import real_array
 from pydy._kernel import Kernel
 
 
@@ -55,55 +54,3 @@ class StateSamples:
         if not self.definition.outputs.symbols:
             return np.empty((len(self.t), 0))
         return self.evaluate(self.model.compiled("outputs"))
-
-
-def read_samples(
-    x: Any,
-    t: Any,
-    default: Callable[[], np.ndarray],
-    times: np.ndarray,
-    n: int,
-    argument: str = "x",
-    columns: bool = False,
-) -> tuple[np.ndarray, np.ndarray, bool]:
-    """Return states (m, n), times (m,), and whether there is only one sample.
-
-    The states' rows are contiguous; with `columns`, their columns may be.
-    """
-    if x is None:
-        states = default()
-    else:
-        states = real_array(x, f"`{argument}`", columns=columns)
-        if states.ndim not in (1, 2) or states.shape[-1] != n:
-            raise ValueError(
-                f"`{argument}` must have the shape ({n},) or (m, {n}), one column for each state, "
-                f"got {states.shape}."
-            )
-    single = states.ndim == 1
-    if t is None:
-        if single:
-            instants = times[:1] if len(times) else np.zeros(1)
-        else:
-            instants = times if len(times) else np.zeros(len(states))
-        source = "the System's `times`"
-    else:
-        instants = real_array(t, "`t`")
-        source = "`t`"
-        if single:
-            if instants.ndim != 0:
-                raise ValueError(
-                    f"`t` must be a scalar for `{argument}` of the shape {states.shape}, got the "
-                    f"shape {np.shape(t)}."
-                )
-            instants = instants.reshape(1)
-        elif instants.ndim != 1:
-            raise ValueError(
-                f"`t` must have the shape ({len(states)},) for `{argument}` of the shape "
-                f"{states.shape}, got the shape {np.shape(t)}."
-            )
-    if not single and len(instants) != len(states):
-        raise ValueError(
-            f"`{argument}` and `t` must have as many rows as times: `{argument}` has the shape "
-            f"{states.shape}, {source} the shape {instants.shape}."
-        )
-    return (states[None] if single else states), np.ascontiguousarray(instants), single

@@ -1,3 +1,4 @@
+from .advancing import advancing_states as advancing_states
 from .dependence import follow as follow
 from .dependent_states import (
     check_dependents as check_dependents,

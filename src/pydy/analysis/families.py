@@ -16,7 +16,6 @@ from pydy._optional import progress_of
 from pydy._problem import (
     CallArguments,
     Problem,
-    read_samples,
     warn_of_contradictions,
     with_unknowns,
 )
@@ -245,13 +244,11 @@ def eigenvalues(
     """Return eigenvalues along a parameter of a Problem; see `System.eigenvalues`."""
     warn_of_missing_derivatives(problem)
     definition = problem.definition
-    given_at, at = at, CallArguments(problem).states(at, "at")
+    given_at, arguments = at, CallArguments(problem)
     if at is not None:
-        at = real_array(at, "`at`")
-        t = np.zeros(len(at)) if at.ndim == 2 else None
-        at, _, single = read_samples(
-            at, t, lambda: problem.x, problem.settings.times, len(definition.states), "at"
-        )
+        at = real_array(arguments.states(at, "at"), "`at`")
+        t = np.zeros(len(at)) if at.ndim == 2 else None  # an equilibrium depends on no time
+        at, _, single = arguments.samples(at, t, "at")
         at = at[0] if single else at
     parameter, values = parameter_of(definition, over)
     check_swept(problem, parameter, values)

@@ -1,11 +1,14 @@
 """Linear models of the motions that satisfy the constraints.
 
-Of the states that satisfy the constraints c(x) = 0 some can be chosen as independent. With the
+The states x satisfy the constraints c(x) = 0; some of them, z, are chosen as independent. With the
 Jacobian J of c every small motion on the constraints is δx = T δz with J T = 0, where the rows of T
-that belong to the independent states z are those of the identity. From δx' = A δx + B δr these rows
-give δz' = (A T) δz + B δr, at an equilibrium and along any motion, since they are constant (D. L.
-Peterson, G. Gede and M. Hubbard, "Symbolic linearization of equations of motion of constrained
-multibody systems", Multibody System Dynamics 33 (2015) 143-161).
+that belong to z are those of the identity. These rows of δx' = A δx + B δr are δz' = (A T) δz + B
+δr, at an equilibrium and along any motion, since they are constant (D. L. Peterson, G. Gede and M.
+Hubbard, "Symbolic linearization of equations of motion of constrained multibody systems", Multibody
+System Dynamics 33 (2015) 143-161).
+
+The unknowns of an `Implicit` are coordinates that follow from the other states and the inputs. They
+are never independent. Their derivatives by the inputs contribute to B and D.
 """
 
 from __future__ import annotations
@@ -16,8 +19,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pydy._assembly import Definition, errors_of
-from pydy._checks import SymbolIndex, choice, listed, real_array
+from pydy._checks import choice, listed, real_array
 from pydy._errors import warn_user
 from pydy._judges import (
     first_violation,
@@ -28,14 +30,7 @@ from pydy._judges import (
 from pydy._motion import constraint_names
 from pydy._names import few, some, unique_names
 from pydy._optional import require
-from pydy._problem import (
-    AssumptionChecks,
-    CallArguments,
-    Problem,
-    read_samples,
-    with_unknowns,
-)
-from pydy._rank import ROUNDED
+from pydy._problem import CallArguments, Problem, with_unknowns
 from pydy._states import EvaluationPoints
 from pydy.analysis.equilibria import Equilibrium
 from pydy.analysis.tuning import ZERO_REAL_PART
@@ -94,18 +89,17 @@ class LinearModel:
 
     def __repr__(self) -> str:
         """Return names and eigenvalues; A, B, C and D are attributes."""
-        kinds = (("states", self.states), ("inputs", self.inputs), ("outputs", self.outputs))
-        names = (f"{kind}: {some(members) or 'none'}" for kind, members in kinds)
+        parts = [f"{kind}: {some(names) or 'none'}" for kind, names in self._names.items()]
         if self.A.ndim == 3:
-            values = f"{len(self.A)} models"
+            parts.append(f"{len(self.A)} models")
         else:
             poles = [
                 f"{v.real:.4g}" + (f" +- {v.imag:.4g}j" if v.imag else "")
                 for v in self.eigenvalues
                 if v.imag >= 0.0
             ]
-            values = f"eigenvalues (1/s): {some(poles)}"
-        return f"LinearModel with {'; '.join((*names, values))}"
+            parts.append(f"eigenvalues (1/s): {some(poles)}")
+        return f"LinearModel with {'; '.join(parts)}"
 
     def plot_poles(self, axes: Any = None) -> Any:
         """Plot the eigenvalues in the complex plane.
@@ -139,11 +133,8 @@ class LinearModel:
     def to_control(self) -> Any:
         """Return the model as a ``control.StateSpace`` of python-control, with its names."""
         control = require("control", "control", "to_control()")
-        names = {"states": self.states, "inputs": self.inputs, "outputs": self.outputs}
-        return control.ss(
-            *self._single_model("to_control"),
-            **{kind: list(members) for kind, members in names.items()},
-        )
+        names = {kind: list(names) for kind, names in self._names.items()}
+        return control.ss(*self._single_model("to_control"), **names)
 
     def frequency_response(self, frequencies: ArrayLike) -> np.ndarray:
         """Return the complex amplitudes of the outputs for inputs of amplitude one.
@@ -197,11 +188,11 @@ class LinearModel:
         input, output : str
             Names, of `inputs` and `outputs`.
         frequencies : array_like, shape (f,), optional
-            In rad/s, whatever the axis shows; by default from a tenth of the slowest eigenvalue to
+            In rad/s, also if `unit` is 'Hz'; by default from a tenth of the slowest eigenvalue to
             ten times the fastest.
         axes : pair of matplotlib Axes, optional
         unit : {'rad/s', 'Hz'}
-            Of the axis of frequencies, which says it.
+            Unit of the frequency axis.
 
         Returns
         -------
@@ -211,10 +202,7 @@ class LinearModel:
         j = self.inputs.index(choice(input, self.inputs, "`input`"))
         i = self.outputs.index(choice(output, self.outputs, "`output`"))
         if frequencies is None:
-            sizes = np.abs(np.linalg.eigvals(self._single_model("plot_bode")[0]))
-            sizes = sizes[sizes > ZERO_REAL_PART * sizes.max(initial=0.0)]
-            low, high = (sizes.min(), sizes.max()) if sizes.size else (1.0, 1.0)
-            frequencies = np.geomspace(0.1 * low, 10.0 * high, num=400)
+            frequencies = _bode_frequencies(self._single_model("plot_bode")[0])
         frequencies = real_array(frequencies, "`frequencies`")
         response = self.frequency_response(frequencies)[:, i, j]
         if (frequencies < 0.0).any():
@@ -223,13 +211,13 @@ class LinearModel:
                 "logarithmic."
             )
         axes, (magnitude_ax, phase_ax) = rows_of_axes(axes, 2, "of magnitude and phase")
-        title = f"{typeset(input, '')} → {typeset(output, '')}"
-        across = frequencies / (2.0 * np.pi) if unit == "Hz" else frequencies
+        label = f"{typeset(input, '')} → {typeset(output, '')}"
+        in_unit = frequencies / (2.0 * np.pi) if unit == "Hz" else frequencies
         with np.errstate(divide="ignore"):
             magnitude = 20.0 * np.log10(np.abs(response))
         phase = np.degrees(np.unwrap(np.angle(response)))
-        magnitude_ax.semilogx(across, magnitude, label=title)
-        phase_ax.semilogx(across, phase, label=title)
+        magnitude_ax.semilogx(in_unit, magnitude, label=label)
+        phase_ax.semilogx(in_unit, phase, label=label)
         for ax in (magnitude_ax, phase_ax):
             ax.grid(which="both", alpha=0.3)
         magnitude_ax.set_ylabel("magnitude (dB)")
@@ -238,6 +226,10 @@ class LinearModel:
         magnitude_ax.legend()
         return axes
 
+    @property
+    def _names(self) -> dict[str, tuple[str, ...]]:
+        return {"states": self.states, "inputs": self.inputs, "outputs": self.outputs}
+
     def _single_model(self, method: str) -> tuple[np.ndarray, ...]:
         if self.A.ndim != 2:
             raise ValueError(
@@ -245,6 +237,14 @@ class LinearModel:
                 "each state in `at`. Linearize at one state."
             )
         return self.A, self.B, self.C, self.D
+
+
+def _bode_frequencies(A: np.ndarray) -> np.ndarray:
+    """Return frequencies from a tenth of the slowest eigenvalue to ten times the fastest."""
+    magnitudes = np.abs(np.linalg.eigvals(A))
+    nonzero = magnitudes[magnitudes > ZERO_REAL_PART * magnitudes.max(initial=0.0)]
+    low, high = (nonzero.min(), nonzero.max()) if nonzero.size else (1.0, 1.0)
+    return np.geomspace(0.1 * low, 10.0 * high, num=400)
 
 
 def complex_plane(ax: Any) -> Any:
@@ -270,59 +270,20 @@ def linearize(
     """Return the linear model of a Problem; see `System.linearize`."""
     warn_of_missing_derivatives(problem)
     definition = problem.definition
-    n, s = len(definition.states), len(definition.specifieds)
-    plan, p, arguments = problem.plan, problem.p, CallArguments(problem)
-    is_user_state = at is not None and not isinstance(at, Equilibrium)
-    if isinstance(at, Equilibrium):
-        fixed_values = {**at.given, **at.constants, **at.specifieds}
-        kinds = ("specifieds", "constants")
-        r, c = (
-            {s: fixed_values[s] for s in getattr(definition, k) if s in fixed_values} for k in kinds
-        )
-        plan, p, at = arguments.plan(r or None), arguments.constants(c), at.state
-    times = problem.settings.times
-    user_t = t
-    x, t, single = read_samples(arguments.states(at, "at"), t, lambda: problem.x, times, n, "at")
-    model = problem.model.with_compiled_inputs(plan, perturbed=True)
-    if is_user_state:  # in states of an Equilibrium, zeros may be rounding errors
-        AssumptionChecks(problem).columns("states", x, "`at` for ", allowed=errors_of(x, ROUNDED))
-    point = EvaluationPoints(definition, model, t, x, plan.inputs.rows(x, t), p, plan)
-    point = with_unknowns(point, at, plan.inputs.rows)
-    value, slopes, blocks = point.value, point.slopes, point.blocks
+    point, single = _evaluation_point(problem, at, t)
     T, free = point.tangents()
     if definition.equations.constraints.are_present:
         _warn_of_violations(point)
     A = point.directional("rates", T)[:, free]
     symbols = definition.specifieds if inputs is None else listed("inputs", inputs)
     columns = definition.places["specifieds"].columns(symbols, "inputs").tolist()
-    kernel = model.compiled_jacobian("rates", "r") if columns else None
-    by_input = np.zeros((len(x), n, s)) if kernel is None else value(kernel, s)
-    residuals = definition.equations.constraints.residuals
-    unknowns_by_input, unknowns = _unknowns_by_inputs(point, columns), [*residuals.columns]
-
-    def with_implicit_unknowns(block: str, by_input: np.ndarray) -> np.ndarray:
-        """Return total derivatives by inputs, including those through an Implicit's unknowns."""
-        return (
-            by_input + slopes(block)[:, :, unknowns] @ unknowns_by_input
-            if unknowns_by_input.size
-            else by_input
-        )
-
-    dependence = []  # which constraints (rows) depend on which inputs
-    for block in blocks if columns else ():
-        by_block = value(model.compiled_jacobian(block, "r"), s)[:, :, columns]
-        total = with_implicit_unknowns(block, by_block)
-        if block == "holonomic":
-            total[:, residuals.rows] = 0.0
-        dependence.append(total.any(axis=0))
-    if any(rows.any() for rows in dependence):
-        _refuse_prescribed(definition, np.concatenate(dependence), columns, inputs is None)
-    with np.errstate(all="ignore"):  # `_check_finite` reports entries that are not finite
-        B = with_implicit_unknowns("rates", by_input[:, :, columns])[:, free]
-    C, D, titles = _outputs(problem, outputs, point, T, columns, unknowns_by_input)
-    parts = [A, B, C, D, value(model.compiled("rates"))[:, free]]
+    by_inputs = _InputDerivatives(point, columns)
+    by_inputs.refuse_prescribed_motions(by_default=inputs is None)
+    B = by_inputs.total("rates")[:, free]
+    C, D, output_names = _outputs(point, outputs, T, by_inputs)
+    parts = [A, B, C, D, point.value(point.model.compiled("rates"))[:, free]]
     _check_finite(parts)
-    if at is None and user_t is None:
+    if at is None and t is None:
         _warn_of_motion(problem, point)
     warn_of_kinks(point, T, free, columns)
     warn_of_protected_states(point, T, free, A)
@@ -331,45 +292,148 @@ def linearize(
         A, B, C, D,
         tuple(np.array(unique_names(definition.states))[free].tolist()),
         tuple(np.array(unique_names(definition.specifieds))[columns].tolist()),
-        titles, rates,
+        output_names, rates,
     )  # fmt: skip
 
 
-def _refuse_prescribed(
-    definition: Definition, dependence: np.ndarray, columns: list[int], by_default: bool
-) -> None:
-    """Raise an error for inputs that prescribe motions; it names the other inputs.
+def _evaluation_point(
+    problem: Problem,
+    at: ArrayLike | Mapping[SymbolOrName, float] | Equilibrium | None,
+    t: ArrayLike | None,
+) -> tuple[EvaluationPoints, bool]:
+    """Return the states to linearize at, and whether there is only one."""
+    definition, arguments = problem.definition, CallArguments(problem)
+    plan, p, state = problem.plan, problem.p, at
+    is_user_state = at is not None and not isinstance(at, Equilibrium)
+    if isinstance(at, Equilibrium):
+        numbers = {**at.given, **at.constants, **at.specifieds}
+        specifieds = {s: numbers[s] for s in definition.specifieds if s in numbers}
+        constants = {s: numbers[s] for s in definition.constants if s in numbers}
+        plan, p = arguments.plan(specifieds or None), arguments.constants(constants)
+        state = at.state
+    x, times, single = arguments.samples(state, t, "at")
+    if is_user_state:  # in states of an Equilibrium, zeros may be rounding errors
+        arguments.warn_of_states(x, "at")
+    model = problem.model.with_compiled_inputs(plan, perturbed=True)
+    r = plan.inputs.rows(x, times)
+    point = EvaluationPoints(definition, model, times, x, r, p, plan)
+    return with_unknowns(point, state, plan.inputs.rows), single
 
-    `dependence` (constraints, inputs) is True where a constraint depends on an input. `columns` are
-    the inputs' indices among the specifieds; `by_default` is True if the user named none.
+
+class _InputDerivatives:
+    """Derivatives of blocks by some of the specifieds, the inputs, at m states.
+
+    The inputs' indices among the specifieds are `columns` (k,).
     """
-    row = int(dependence.any(axis=1).argmax())
-    titles = [unique_names(definition.specifieds)[column] for column in columns]
-    names = few(
-        [f"`{title}`" for title, depends in zip(titles, dependence[row], strict=True) if depends]
-    )
-    used = set(np.flatnonzero(dependence.any(axis=0)))
-    free = [title for k, title in enumerate(titles) if k not in used]
-    raise ValueError(
-        f"The {constraint_names(definition.equations)[row]} depends on the specified {names}, "
-        "which "
-        f"{'is an input because all are by default' if by_default else 'is one of `inputs`'}. It "
-        "prescribes a motion: the states then do not follow from independent ones alone. The "
-        f"linear model has inputs that no constraint depends on: `inputs={free}`."
-    )
+
+    def __init__(self, point: EvaluationPoints, columns: list[int]) -> None:
+        self.point, self.columns = point, columns
+        residuals = point.definition.equations.constraints.residuals
+        # Of an Implicit: rows of the holonomic constraints, and columns of x.
+        self._rows, self._unknowns = [*residuals.rows], [*residuals.columns]
+        self._by_input = self._unknowns_by_input()
+
+    def direct(self, block: str) -> np.ndarray:
+        """Return the derivatives of a block with all states constant, shape (m, rows, k)."""
+        model, num_specifieds = self.point.model, self.point.r.shape[1]
+        if not self.columns:
+            return np.zeros((len(self.point.x), len(getattr(model.assembly.blocks, block)), 0))
+        by_specified = self.point.value(model.compiled_jacobian(block, "r"), num_specifieds)
+        return by_specified[:, :, self.columns]
+
+    def total(self, block: str) -> np.ndarray:
+        """Return the derivatives of a block while the unknowns of an `Implicit` follow."""
+        direct = self.direct(block)
+        return self.with_unknowns(direct, self.point.slopes(block)) if self._unknowns else direct
+
+    def with_unknowns(self, direct: np.ndarray, by_state: np.ndarray) -> np.ndarray:
+        """Return total derivatives from `direct` ones and those `by_state`, shape (m, rows, n)."""
+        if not self._unknowns:
+            return direct
+        with np.errstate(all="ignore"):  # `_check_finite` reports entries that are not finite
+            total: np.ndarray = direct + by_state[:, :, self._unknowns] @ self._by_input
+        return total
+
+    def _unknowns_by_input(self) -> np.ndarray:
+        """Return the derivatives of an Implicit's unknowns, shape (m, unknowns, k)."""
+        if not (self._unknowns and self.columns):
+            return np.zeros((len(self.point.x), len(self._unknowns), len(self.columns)))
+        by_input = self.direct("holonomic")[:, self._rows]
+        by_unknown = self.point.slopes("holonomic")[:, self._rows][:, :, self._unknowns]
+        pairs = zip(by_unknown, by_input, strict=True)
+        return np.array([-np.linalg.lstsq(matrix, right)[0] for matrix, right in pairs])
+
+    def refuse_prescribed_motions(self, by_default: bool) -> None:
+        """Raise an error if a constraint depends on an input; it names the other inputs.
+
+        `by_default` is True if the user named no inputs.
+        """
+        parts = []
+        for block in self.point.blocks if self.columns else ():
+            depends = self.total(block) != 0.0
+            if block == "holonomic":
+                depends[:, self._rows] = False
+            parts.append(depends.any(axis=0))
+        if not any(part.any() for part in parts):
+            return
+        dependence = np.concatenate(parts)  # of constraints (rows) on inputs
+        definition = self.point.definition
+        inputs = np.array(unique_names(definition.specifieds))[self.columns]
+        row = int(dependence.any(axis=1).argmax())
+        prescribing = few([f"`{name}`" for name in inputs[dependence[row]]])
+        others = inputs[~dependence.any(axis=0)].tolist()
+        reason = "is an input because all are by default" if by_default else "is one of `inputs`"
+        raise ValueError(
+            f"The {constraint_names(definition.equations)[row]} depends on the specified "
+            f"{prescribing}, which {reason}. It prescribes a motion: the states then do not follow "
+            "from independent ones alone. The linear model has inputs that no constraint depends "
+            f"on: `inputs={others}`."
+        )
 
 
-def _state_text(k: int, m: int) -> str:
-    return f"state {k} of `at`" if m > 1 else "the state"
+def _outputs(
+    point: EvaluationPoints,
+    outputs: Iterable[SymbolOrName] | None,
+    T: np.ndarray,
+    by_inputs: _InputDerivatives,
+) -> tuple[np.ndarray, np.ndarray, tuple[str, ...]]:
+    """Return C, D and the outputs' names, for states and outputs of the System."""
+    definition = point.definition
+    m, n = point.x.shape
+    symbols = definition.states if outputs is None else listed("outputs", outputs)
+    rows = definition.variables.columns(symbols, "outputs").tolist()
+    by_state = np.broadcast_to(np.eye(n), (m, n, n))
+    by_input = np.zeros((m, n, len(by_inputs.columns)))
+    if any(row >= n for row in rows):
+        by_state = np.concatenate([by_state, point.slopes("outputs")], axis=1)
+        by_input = np.concatenate([by_input, by_inputs.direct("outputs")], axis=1)
+    by_state, by_input = by_state[:, rows], by_input[:, rows]
+    with np.errstate(all="ignore"):  # `_check_finite` reports entries that are not finite
+        C = by_state @ T
+    D = by_inputs.with_unknowns(by_input, by_state)
+    names = unique_names(definition.variables.symbols)
+    return C, D, tuple(names[row] for row in rows)
 
 
-def _warn_of_violations(at: EvaluationPoints) -> None:
-    """Warn of the first state of `at` that violates the constraints."""
-    if violation := first_violation(at):
+def _check_finite(parts: list[np.ndarray]) -> None:
+    """Raise an error if matrices or rates, one for each state, are not finite."""
+    m = len(parts[0])
+    finite = np.all([np.isfinite(part.reshape(m, -1)).all(axis=1) for part in parts], axis=0)
+    if not finite.all():
+        raise ValueError(
+            "The equations or their derivatives are not finite at "
+            f"{_state_text(int(finite.argmin()), m)}: there is no linear model. "
+            "`evaluate_ode` and `evaluate_jacobian` say where they are not."
+        )
+
+
+def _warn_of_violations(point: EvaluationPoints) -> None:
+    """Warn of the first state that violates the constraints."""
+    if violation := first_violation(point):
         k, message = violation
         warn_user(
             f"The linear model is one of motions that keep the constraints, but "
-            f"{_state_text(k, len(at.x))} does not satisfy them. {message} Call "
+            f"{_state_text(k, len(point.x))} does not satisfy them. {message} Call "
             "`system.set_dependent_initial_conditions()` first, or take states of a motion "
             "that was integrated with `constraints='project'`."
         )
@@ -386,60 +450,5 @@ def _warn_of_motion(problem: Problem, point: EvaluationPoints) -> None:
         )
 
 
-def _outputs(
-    problem: Problem,
-    outputs: Iterable[SymbolOrName] | None,
-    point: EvaluationPoints,
-    T: np.ndarray,
-    columns: list[int],
-    unknowns_by_input: np.ndarray,
-) -> tuple[np.ndarray, np.ndarray, tuple[str, ...]]:
-    """Return C, D and the outputs' names, for states and outputs of the System."""
-    definition = problem.definition
-    m, n, s = len(T), len(definition.states), len(definition.specifieds)
-    symbols = definition.states if outputs is None else listed("outputs", outputs)
-    index = SymbolIndex([*definition.states, *definition.outputs.symbols], "states and outputs")
-    rows = index.columns(symbols, "outputs").tolist()
-    by_state = np.broadcast_to(np.eye(n), (m, n, n))
-    by_input = np.zeros((m, n, s))
-    if any(row >= n for row in rows):
-        width = len(definition.outputs.symbols)
-        by_state = np.concatenate([by_state, point.slopes("outputs")], axis=1)
-        inputs = np.zeros((m, width, 0))
-        if s:
-            inputs = point.value(point.model.compiled_jacobian("outputs", "r"), s)
-        by_input = np.concatenate([by_input, inputs], axis=1)
-    with np.errstate(all="ignore"):  # `_check_finite` reports entries that are not finite
-        C = by_state[:, rows] @ T
-        D = by_input[:, rows][:, :, columns]
-        if unknowns_by_input.size:
-            unknowns = definition.equations.constraints.residuals.columns
-            D = D + by_state[:, rows][:, :, unknowns] @ unknowns_by_input
-    titles = unique_names([*definition.states, *definition.outputs.symbols])
-    return C, D, tuple(titles[row] for row in rows)
-
-
-def _unknowns_by_inputs(point: EvaluationPoints, columns: list[int]) -> np.ndarray:
-    """Return derivatives of an Implicit's unknowns by some specifieds, (m, unknowns, k)."""
-    residuals = point.definition.equations.constraints.residuals
-    rows, unknowns = [*residuals.rows], [*residuals.columns]
-    if not (unknowns and columns):
-        return np.zeros((len(point.x), len(unknowns), len(columns)))
-    by_input = point.value(point.model.compiled_jacobian("holonomic", "r"), point.r.shape[1])
-    gradient = point.slopes("holonomic")[:, rows][:, :, unknowns]
-    pairs = zip(gradient, by_input[:, rows][:, :, columns], strict=True)
-    return np.array(
-        [-np.linalg.lstsq(jacobian, input_slopes)[0] for jacobian, input_slopes in pairs]
-    )
-
-
-def _check_finite(parts: list[np.ndarray]) -> None:
-    """Raise an error if matrices or rates, one for each state, are not finite."""
-    m = len(parts[0])
-    sound = [np.isfinite(part.reshape(m, -1)).all(axis=1) for part in parts]
-    if not np.all(sound):
-        raise ValueError(
-            "The equations or their derivatives are not finite at "
-            f"{_state_text(int(np.all(sound, axis=0).argmin()), m)}: there is no linear model. "
-            "`evaluate_ode` and `evaluate_jacobian` say where they are not."
-        )
+def _state_text(k: int, m: int) -> str:
+    return f"state {k} of `at`" if m > 1 else "the state"

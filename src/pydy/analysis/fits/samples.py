@@ -10,7 +10,6 @@ import numpy as np
 
 from pydy._assembly import Definition
 from pydy._checks import (
-    SymbolIndex,
     check_mapping,
     describe,
     one_or_more,
@@ -48,8 +47,6 @@ def checked_trial(
 ) -> TrialSamples:
     """Check a trial, the k-th; expressions that it measures get names in `outputs`."""
     states = definition.places["states"]
-    measurable = SymbolIndex([*definition.states, *definition.outputs.symbols],
-                        "states and outputs of the system")  # fmt: skip
     label = f"trial {k}"
     if not isinstance(trial, Trial):
         raise TypeError(
@@ -62,14 +59,15 @@ def checked_trial(
     times, begin = instants(trial, label)
     values = checked_samples(trial, label, times)
     measured = check_mapping(f"measured of {label}", trial.measured)
-    keys = [_key(key, label, definition, measurable, outputs) for key in measured]
+    keys = [_key(key, label, definition, outputs) for key in measured]
     refuse_twice(keys, f"measured of {label}")
     unknown = states.chosen(one_or_more("unknown", trial.unknown), f"unknown of {label}")
     names = list(unique_names(list(measured)))
     noise_entries = trial.noise
     if isinstance(noise_entries, Mapping):
+        meaning = definition.variables.meaning
         key_of = {**dict(zip(names, keys, strict=True)), **dict(zip(measured, keys, strict=True))}
-        noise_keys = [key_of.get(key, measurable.meaning(key, "noise")) for key in noise_entries]
+        noise_keys = [key_of.get(key, meaning(key, "noise")) for key in noise_entries]
         refuse_twice(noise_keys, f"noise of {label}")
         noise_entries = dict(zip(noise_keys, noise_entries.values(), strict=True))
     noise = _noise(noise_entries, keys, names, values.shape, label)
@@ -84,12 +82,9 @@ def checked_trial(
 
 
 def _key(
-    key: ExpressionOrName,
-    label: str,
-    definition: Definition,
-    measurable: SymbolIndex,
-    outputs: dict[AnySymbol, Expression],
+    key: ExpressionOrName, label: str, definition: Definition, outputs: dict[AnySymbol, Expression]
 ) -> AnySymbol:
+    measurable = definition.variables
     index = measurable.get(key, "measured")
     if index is not None:
         return measurable.symbols[index]
