@@ -2473,7 +2473,8 @@ class System:
         most : int, optional
             The maximum number of evaluations, or of iterations of that solver.
         progress : bool, optional
-            Show a progress bar; requires tqdm.
+            Show a progress bar of the evaluations, or iterations, with the motions that each of
+            them has simulated so far if there are several; requires tqdm.
         contacts : pydy.contact.Contacts, optional
             Contacts of this System, which the motions are simulated with, in one segment. Constants
             of contacts, such as a restitution, may be parameters.

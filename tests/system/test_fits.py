@@ -1,5 +1,6 @@
 """Fits of parameters to measurements."""
 
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -423,6 +424,17 @@ def test_a_bar_counts_the_evaluations(oscillator, capsys):
     oscillator.constants = {"k0": 3.5}
     result = oscillator.fit(["k0"], let_go(swing(), constants={"c0": 0.2}), progress=True)
     assert f"{result.evaluations} evaluations" in capsys.readouterr().err
+
+
+def test_a_bar_shows_the_motions_of_segments_and_their_gaps(oscillator, capsys):
+    oscillator.constants = {"k0": 3.5}
+    trial = let_go(swing(), constants={"c0": 0.2})
+    result = oscillator.fit(["k0"], trial, segments=4, progress=True)
+    bar = capsys.readouterr().err
+    assert "0 evaluations" in bar.partition("part=first motions")[0]  # before any is simulated
+    assert re.search("motions=[1-4]/4", bar.partition("residual=")[0])
+    assert "gap=" in bar
+    assert f"{result.evaluations} evaluations" in bar
 
 
 def test_residuals_are_plotted(oscillator):
