@@ -93,6 +93,7 @@ from pydy._problem import (
     check_times,
     checked_plan,
     evaluate_specifieds,
+    problem_of,
     read_numbers,
 )
 from pydy._states import check_dependents, default_dependents, given_values, solve_dependents
@@ -355,7 +356,7 @@ class System:
             None if self._dependent is None else tuple(self._dependent),
         )
         named = constants if isinstance(constants, Mapping) else None
-        return Problem.of(
+        return problem_of(
             self._models, settings, events=events, constants=named, further=further, hybrid=contacts
         )
 

@@ -8,7 +8,7 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
-from pydy._problem import Problem
+from pydy._problem import problem_of as problem_with
 from pydy.errors import UnsupportedFunctionError
 from pydy.models import multi_mass_spring_damper
 
@@ -30,7 +30,7 @@ EXPRESSION = A * sm.sin(w * t)
 
 def problem_of(system, **settings):
     """The Problem of other settings than those of a System."""
-    return Problem.of(copy(system._models), replace(system._now().settings, **settings))
+    return problem_with(copy(system._models), replace(system._now().settings, **settings))
 
 
 def compiled_problem_of(system, **settings):

@@ -15,6 +15,7 @@ from .model import Model as Model, ModelBuilder as ModelBuilder
 from .problem import (
     Problem as Problem,
     evaluate_specifieds as evaluate_specifieds,
+    problem_of as problem_of,
     with_settings as with_settings,
 )
 from .residuals import solved_residuals as solved_residuals, with_unknowns as with_unknowns

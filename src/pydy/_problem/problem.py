@@ -68,36 +68,6 @@ class Problem:
     hybrid: Hybrid | None = None  # what makes a motion one of several modes
     modes: tuple[str, ...] | None = None  # of `hybrid`; None where they follow from the state
 
-    @staticmethod
-    def of(
-        models: ModelBuilder,
-        settings: Settings,
-        *,
-        events: Event | Iterable[Event] | None = None,
-        constants: Mapping[Any, object] | None = None,
-        further: Iterable[Any] = (),
-        hybrid: Hybrid | None = None,
-    ) -> Problem:
-        """Return the Problem of what the user has set, with the symbols that one call brings.
-
-        Those of events are constants, and so are `further` symbols; keys of `constants` are, if
-        events or energies hold them.
-        """
-        named = {**settings.constants, **constants} if constants else settings.constants
-        if hybrid is not None:
-            hybrid.refuse_lost(named)
-            users = [events] if isinstance(events, Event) else events
-            events = [*hybrid.symbols, *(users if isinstance(users, (list, tuple)) else ())]
-        definition = models.definition(
-            settings.outputs, settings.forces, settings.specifieds, named
-        )
-        if events is not None:
-            definition = models.with_events(definition, events)
-        if further:
-            definition = models.widened(definition, further)
-        model = models.model(definition)
-        return Problem(model.definition, model, settings, hybrid)
-
     def replace(self, **numbers: Any) -> Problem:
         """Return the same with another `t`, `x`, `p` or `modes`, or `times` or `contradicted` set.
 
@@ -188,6 +158,34 @@ class Problem:
         """Return the model with these numbers at m times and states."""
         x = np.ascontiguousarray(x)
         return StateSamples(self.definition, self.code, t, x, self.plan.inputs.rows(x, t), self.p)
+
+
+def problem_of(
+    models: ModelBuilder,
+    settings: Settings,
+    *,
+    events: Event | Iterable[Event] | None = None,
+    constants: Mapping[Any, object] | None = None,
+    further: Iterable[Any] = (),
+    hybrid: Hybrid | None = None,
+) -> Problem:
+    """Return the Problem of what the user has set, with the symbols that one call brings.
+
+    Those of events are constants, and so are `further` symbols; keys of `constants` are, if
+    events or energies hold them.
+    """
+    named = {**settings.constants, **constants} if constants else settings.constants
+    if hybrid is not None:
+        hybrid.refuse_lost(named)
+        users = [events] if isinstance(events, Event) else events
+        events = [*hybrid.symbols, *(users if isinstance(users, (list, tuple)) else ())]
+    definition = models.definition(settings.outputs, settings.forces, settings.specifieds, named)
+    if events is not None:
+        definition = models.with_events(definition, events)
+    if further:
+        definition = models.widened(definition, further)
+    model = models.model(definition)
+    return Problem(model.definition, model, settings, hybrid)
 
 
 def with_settings(problem: Problem, **changes: Any) -> Problem:

@@ -28,6 +28,7 @@ from pydy._problem import (
     ModelBuilder,
     Problem,
     Settings,
+    problem_of,
     warn_of_contradictions,
     with_settings,
     with_unknowns,
@@ -68,7 +69,7 @@ class FitProblem:
         constants: Numbers = dict.fromkeys(keys)
         for trial in trials:
             constants |= check_mapping("constants", getattr(trial, "constants", None))
-        self.base = Problem.of(
+        self.base = problem_of(
             model.models, model.settings, events=events, constants=constants, hybrid=model.contacts
         )
         definition = self.base.definition
@@ -206,7 +207,7 @@ class FitProblem:
             already_warned=set(),
         )
         events, contacts = self._events, self.model.contacts
-        return Problem.of(self._models, settings, events=events, hybrid=contacts)
+        return problem_of(self._models, settings, events=events, hybrid=contacts)
 
     # -- bounds and priors of the parameters ------------------------------------------------------
 
