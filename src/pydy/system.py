@@ -34,7 +34,6 @@ from pydy._evaluation import (
     BLOCKS,
     BaseParameters,
     Evaluator,
-    GeneratedFunction,
     Quantity,
     all_accelerations,
     base_parameters,
@@ -46,7 +45,7 @@ from pydy._evaluation import (
     frame_jacobian,
     frame_position,
     frame_rotation,
-    generate,
+    generated_function,
     gravity,
     inertial_parameters,
     inverse_dynamics,
@@ -83,10 +82,9 @@ from pydy._names import name_of, nearest, some
 from pydy._option_checks import refuse_solver
 from pydy._optional import progress_of
 from pydy._problem import (
-    DefinitionBuilder,
     Energy,
     EnergyModel,
-    Model,
+    ModelBuilder,
     Problem,
     Settings,
     SymbolSet,
@@ -95,6 +93,7 @@ from pydy._problem import (
     check_times,
     checked_plan,
     evaluate_specifieds,
+    problem_of,
     read_numbers,
 )
 from pydy._states import check_dependents, default_dependents, given_values, solve_dependents
@@ -273,12 +272,10 @@ class System:
             instance(implicit, Implicit, "`implicit`", "a pydy.mechanics.Implicit")
         self._equations = extract(eom_method, equations, implicit)
         self._eom_method = eom_method
-        self._energies = EnergyModel(self._equations)
-        self._define = DefinitionBuilder(
-            self._equations, self._energies, constants_symbols, specifieds_symbols
+        self._models = ModelBuilder(
+            self._equations, eom_method, constants_symbols, specifieds_symbols
         )
-        self._options: dict[str, object] = {}
-        self._generated: list[GeneratedFunction] = []  # the latest first
+        self._arguments: dict[str, object] = {}  # how the generated function reads r and p
         self._constants: dict[SymbolOrName, float] = {}
         self._implied: dict[sm.Symbol, float] = {}  # constants that are not the user's: of contacts
         self._has_contacts = False  # whether Contacts were made of it
@@ -301,7 +298,7 @@ class System:
 
     def __copy__(self) -> Self:
         twin = object.__new__(type(self))
-        kinds = (dict, list, set, np.ndarray, DefinitionBuilder)  # what may change in place
+        kinds = (dict, list, set, np.ndarray, ModelBuilder)  # what may change in place
         vars(twin).update(
             (k, copy(v) if isinstance(v, kinds) else v) for k, v in vars(self).items()
         )
@@ -323,8 +320,8 @@ class System:
             "constants": {**self._implied, **self._constants},
             "specifieds": self._specifieds,
         }
-        method, of_events = type(self._eom_method).__name__, self._define.of_events
-        definition = self._define.latest
+        method, of_events = type(self._eom_method).__name__, self._models.of_events
+        definition = self._models.latest
         return summary(definition, method, self.ode_solver, self._times, values, of_events)
 
     @property
@@ -334,19 +331,7 @@ class System:
 
     def _defined(self, constants: BySymbol[object]) -> Definition:
         """Return the definition with these constants, which the equations need not hold."""
-        definition = self._define(self._outputs, self._forces, self._specifieds)
-        silent = definition.places["constants"].unknown(constants, "constants")
-        return self._define.holding(definition, silent) if silent else definition
-
-    def _compiled(self, definition: Definition | None = None) -> GeneratedFunction:
-        """Return the function generated for a definition, by default the present one."""
-        definition = self._definition if definition is None else definition
-        for made in self._generated:
-            if made.definition is definition or made.definition == definition:
-                return made
-        made = generate(definition, self._eom_method, self._options)
-        self._generated = [made, *self._generated[:1]]
-        return made
+        return self._models.definition(self._outputs, self._forces, self._specifieds, constants)
 
     def _now(
         self,
@@ -359,32 +344,20 @@ class System:
 
         Those of events are constants, and so are `further` symbols.
         """
-        more = constants if isinstance(constants, Mapping) else {}
-        if contacts is not None:
-            if not contacts.contact_constants.keys() <= self._constants.keys():
-                contacts.refuse_lost({**self._constants, **more})
-            own = [events] if isinstance(events, Event) else events
-            events = [*contacts.symbols, *(own if isinstance(own, (list, tuple)) else ())]
-        definition = self._defined({**self._constants, **more} if more else self._constants)
-        if events is not None:
-            found = self._define.constants_of(definition, events)
-            definition = self._define.widened(definition, found) if found else definition
-        if further:
-            definition = self._define.widened(definition, further)
-        made = self._compiled(definition)
         settings = Settings(
             {**self._implied, **self._constants},
             dict(self._specifieds),
             dict(self._initial_conditions),
             self._times,
+            dict(self._outputs),
+            self._forces,
             self._contradicted,
+            self._told,
             None if self._dependent is None else tuple(self._dependent),
         )
-        return Problem(
-            made.definition,
-            Model(made.definition, made.code, self._energies, self._told),
-            settings,
-            contacts,
+        named = constants if isinstance(constants, Mapping) else None
+        return problem_of(
+            self._models, settings, events=events, constants=named, further=further, hybrid=contacts
         )
 
     def _told_again(self, definition: Definition, what: str) -> set[str] | None:
@@ -403,9 +376,9 @@ class System:
         self, outputs: BySymbol[Output] | None, forces: Iterable[TimeFunction] | None
     ) -> None:
         names = check_forces(self._equations, forces)
-        own = self._define.users(outputs, self._forces)
-        self._define(own, names, self._specifieds)
-        self._outputs, self._forces = self._define.merged(own, names), names
+        own = self._models.define.users(outputs, self._forces)
+        self._models.definition(own, names, self._specifieds, {})
+        self._outputs, self._forces = self._models.define.merged(own, names), names
 
     @property
     def model(self) -> CompiledModel:
@@ -422,7 +395,7 @@ class System:
         >>> sum(system.model.compiled('rates').program.operation_count['run'].values())
         5
         """
-        return self._compiled().code
+        return self._models.model(self._definition).code
 
     @property
     def eom_method(self) -> Any:
@@ -492,7 +465,7 @@ class System:
         >>> multi_mass_spring_damper().kinetic_energy
         m0*v0(t)**2/2
         """
-        return self._energies.kinetic
+        return self._models.energies.kinetic
 
     @property
     def potential_energy(self) -> sm.Expr:
@@ -522,15 +495,14 @@ class System:
         >>> system.potential_energy
         -g*m0*x0(t) + k0*x0(t)**2/2
         """
-        return self._energies.potential
+        return self._models.energies.potential
 
     @potential_energy.setter
     def potential_energy(self, energy: sm.Expr | float | None) -> None:
         definition = self._definition
         others = [self._equations.time, *definition.constants, *definition.specifieds]
         others += EnergyModel(self._equations).symbols
-        given = check_potential(energy, self._equations.coordinates, others)
-        self._energies = self._define.energies = EnergyModel(self._equations, given)
+        self._models.set_potential(check_potential(energy, self._equations.coordinates, others))
 
     @property
     def outputs_symbols(self) -> list[AnySymbol]:
@@ -567,7 +539,7 @@ class System:
         "difference of ranks, whatever axes the constraints are written in.",
     )
     num_constraints = property(
-        lambda self: len(self._define.residuals),
+        lambda self: len(self.constraints),
         doc="Number of holonomic and nonholonomic constraints together.",
     )
 
@@ -616,11 +588,12 @@ class System:
     @specifieds.setter
     def specifieds(self, specifieds: BySymbol[Specified] | None) -> None:
         values = check_mapping("specifieds", specifieds)
-        definition = self._define(self._outputs, self._forces, values)
+        definition = self._models.definition(self._outputs, self._forces, values, {})
         told: set[AnySymbol] = set()
         contradicted = self._told_again(definition, "specifieds")
         plan = checked_plan(definition, values, told, contradicted)
-        check_expressions(definition, plan)
+        if plan.expressions:
+            check_expressions(definition, plan)
         self._specifieds, self._told = values, told
 
     @property
@@ -741,9 +714,10 @@ class System:
 
         ``help(system.evaluate_ode_function)`` shows the order of the entries of its arguments.
         """
-        if not self._generated:
+        if not self._models.has_compiled:
             return None
-        return self._compiled().function(any_layout=self._ode_solver is not None)
+        any_layout = self._ode_solver is not None
+        return generated_function(self.model, self._arguments, any_layout=any_layout)
 
     def generate_ode_function(self, **kwargs: Any) -> Callable[..., np.ndarray]:
         """Generate the function that evaluates the derivatives, and keep it.
@@ -776,12 +750,16 @@ class System:
         >>> rhs([1.0, 0.0], 0.0, [0.1, 2.0, 1.0])
         array([ 0., -2.])
         """
-        kwargs = checked_options(kwargs)
-        made = generate(self._definition, self._eom_method, kwargs)
+        arguments, options = checked_options(kwargs)
+        definition = self._definition
+        models = self._models.with_options(options)
+        code = models.model(definition).code
         if self._equations.constraints.undifferentiated_holonomic:
             warn_of_missing_derivatives(self._now())
-        function: Callable[..., np.ndarray] = made.function(any_layout=self._ode_solver is not None)
-        self._options, self._generated = kwargs, [made]
+        function: Callable[..., np.ndarray] = generated_function(
+            code, arguments, any_layout=self._ode_solver is not None
+        )
+        self._arguments, self._models = arguments, models
         return function
 
     if not TYPE_CHECKING:  # or type checkers would let any attribute pass
@@ -2497,7 +2475,8 @@ class System:
         most : int, optional
             The maximum number of evaluations, or of iterations of that solver.
         progress : bool, optional
-            Show a progress bar; requires tqdm.
+            Show a progress bar of the evaluations, or iterations, with the motions that each of
+            them has simulated so far if there are several; requires tqdm.
         contacts : pydy.contact.Contacts, optional
             Contacts of this System, which the motions are simulated with, in one segment. Constants
             of contacts, such as a restitution, may be parameters.
@@ -2546,26 +2525,10 @@ class System:
         """
         from pydy.analysis import FittedSystem, fit
 
-        twin = copy(self)
-        twin._contradicted = None  # its numbers are only tried
         self._checked_contacts(contacts)
-
-        def settings(events: Event | Iterable[Event] | None, constants: BySymbol[float]) -> Problem:
-            return self._now(events, constants, contacts)
-
-        def tried(
-            events: Event | Iterable[Event] | None,
-            outputs: BySymbol[Output],
-            constants: BySymbol[float],
-            specifieds: BySymbol[Specified],
-        ) -> Problem:
-            if outputs:
-                twin.outputs = {**self.outputs, **outputs}
-            twin.constants, twin.specifieds = constants, specifieds
-            return twin._now(events, contacts=contacts)
-
+        settings = self._now().settings
         return fit(
-            FittedSystem(settings, tried, self.ode_solver, contacts),
+            FittedSystem(self._models, settings, self.ode_solver, contacts),
             parameters,
             trials,
             bounds=bounds,

@@ -504,4 +504,4 @@ def test_a_run_needs_no_kinetic_energy_in_sympy_where_it_was_formed(monkeypatch)
     }
     motion = system.simulate(constraints="project")
     assert np.isfinite(motion.states).all()
-    assert {*system._energies.symbols} == {*sm.symbols("g l m", positive=True)}
+    assert {*system._models.energies.symbols} == {*sm.symbols("g l m", positive=True)}

@@ -1,5 +1,6 @@
 """Fits of parameters to measurements."""
 
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -398,10 +399,42 @@ def test_what_stops_a_fit_hands_over_the_best_estimates(oscillator, monkeypatch,
     assert isinstance(caught.value, FitInterrupted) == (stop is KeyboardInterrupt)
 
 
+def test_the_specifieds_of_a_trial_may_hold_constants_of_their_own():
+    amplitude, rate, t = *sm.symbols("A w"), me.dynamicsymbols._t
+    force = me.dynamicsymbols("f0")
+    push = {force: amplitude * sm.sin(rate * t)}
+    system = multi_mass_spring_damper(apply_external_forces=True)
+    system.constants = {"c0": 0.0, "k0": 3.0}
+    function, printed = system.generate_ode_function(), str(system)
+    swings = [  # x'' = -4 x + A sin(w t), from rest
+        a / (4.0 - w**2) * (np.sin(w * TIMES) - w / 2.0 * np.sin(2.0 * TIMES))
+        for a, w in ((0.7, 1.3), (0.4, 0.9))
+    ]
+    trials = [
+        Trial(TIMES, {"x0": swings[0]}, specifieds=push, constants={"A": 0.7, rate: 1.3}),
+        Trial(TIMES, {2 * sm.Symbol("k0"): np.full(TIMES.shape, 8.0)}),
+        Trial(TIMES, {"x0": swings[1]}, specifieds=push, constants={"A": 0.4, "w": 0.9}),
+    ]
+    assert system.fit(["k0"], trials).estimates == pytest.approx([4.0], rel=1e-8)
+    assert system.evaluate_ode_function is function  # the trials' arrays are not the System's
+    assert str(system) == printed
+
+
 def test_a_bar_counts_the_evaluations(oscillator, capsys):
     oscillator.constants = {"k0": 3.5}
     result = oscillator.fit(["k0"], let_go(swing(), constants={"c0": 0.2}), progress=True)
     assert f"{result.evaluations} evaluations" in capsys.readouterr().err
+
+
+def test_a_bar_shows_the_motions_of_segments_and_their_gaps(oscillator, capsys):
+    oscillator.constants = {"k0": 3.5}
+    trial = let_go(swing(), constants={"c0": 0.2})
+    result = oscillator.fit(["k0"], trial, segments=4, progress=True)
+    bar = capsys.readouterr().err
+    assert "0 evaluations" in bar.partition("part=first motions")[0]  # before any is simulated
+    assert re.search("motions=[1-4]/4", bar.partition("residual=")[0])
+    assert "gap=" in bar
+    assert f"{result.evaluations} evaluations" in bar
 
 
 def test_residuals_are_plotted(oscillator):

@@ -19,9 +19,8 @@ from .evaluation import (
 from .exporting import exported_model as exported_model, live_system as live_system
 from .function import Evaluator as Evaluator
 from .generated import (
-    GeneratedFunction as GeneratedFunction,
     checked_options as checked_options,
-    generate as generate,
+    generated_function as generated_function,
 )
 from .inertial import (
     BaseParameters as BaseParameters,

@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
-from pydy._assembly import CompiledModel, Definition
+from pydy._assembly import CompiledModel
 from pydy._checks import flag
 from pydy._errors import warn_user
-from pydy._problem import compile_definition
 from pydy.codegen import RightHandSide, make_function
 
 if TYPE_CHECKING:
@@ -22,25 +20,11 @@ _REFUSED = {
 }  # fmt: skip
 
 
-@dataclass(frozen=True, eq=False)
-class GeneratedFunction:
-    """The function generated for a definition, with its code."""
+def checked_options(options: dict[str, object]) -> tuple[dict[str, object], dict[str, object]]:
+    """Check the options of `System.generate_ode_function`; those set by the System are refused.
 
-    definition: Definition
-    code: CompiledModel
-    arguments: Mapping[str, Any]  # how the function reads r and p, and in which order
-    _functions: dict[bool, FunctionType] = field(default_factory=dict)
-
-    def function(self, *, any_layout: bool) -> FunctionType:
-        """Return the function that users call; it is built once for each array layout."""
-        side = RightHandSide(self.code, any_layout=any_layout, **self.arguments)
-        if side.refuse_strided not in self._functions:
-            self._functions[side.refuse_strided] = make_function(side)
-        return self._functions[side.refuse_strided]
-
-
-def checked_options(options: dict[str, object]) -> dict[str, object]:
-    """Check the options of `System.generate_ode_function`; those set by the System are refused."""
+    Return how the function reads r and p and in which order, and how its code is generated.
+    """
     if "specifieds" in options:
         warn_user(
             "`specifieds` is ignored by System.generate_ode_function: the System takes care of "
@@ -55,14 +39,19 @@ def checked_options(options: dict[str, object]) -> dict[str, object]:
             "specifieds_arg_type, time_first, generator and those of the generator."
         )
     flag(options.get("time_first", False), "`time_first`")
-    return options
-
-
-def generate(
-    definition: Definition, eom_method: object, options: Mapping[str, object]
-) -> GeneratedFunction:
-    """Return a definition's code for options of `generate_ode_function`, not compiled yet."""
     arguments = {k: options[k] for k in _ARGUMENTS if k in options}
-    generator_options = {k: v for k, v in options.items() if k not in _ARGUMENTS}
-    code = compile_definition(definition, eom_method, generator_options)
-    return GeneratedFunction(definition, code, arguments)
+    return arguments, {k: v for k, v in options.items() if k not in _ARGUMENTS}
+
+
+def generated_function(
+    code: CompiledModel, arguments: Mapping[str, Any], *, any_layout: bool
+) -> FunctionType:
+    """Return the function that users call; it is built once for each array layout.
+
+    The `arguments` are how it reads r and p and in which order, which is the same for one code.
+    """
+    side = RightHandSide(code, any_layout=any_layout, **arguments)
+    functions: dict[bool, FunctionType] = code.latest.setdefault("functions", {})
+    if side.refuse_strided not in functions:
+        functions[side.refuse_strided] = make_function(side)
+    return functions[side.refuse_strided]

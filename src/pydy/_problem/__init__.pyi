@@ -4,7 +4,6 @@ from .assumption_checks import (
 )
 from .call_arguments import CallArguments as CallArguments, read_times as read_times
 from .definition import (
-    DefinitionBuilder as DefinitionBuilder,
     SymbolSet as SymbolSet,
     check_forces as check_forces,
     check_times as check_times,
@@ -12,10 +11,11 @@ from .definition import (
     sort_out as sort_out,
 )
 from .energy import Energy as Energy, EnergyModel as EnergyModel, check_potential as check_potential
-from .model import Model as Model, compile_definition as compile_definition
+from .model import Model as Model, ModelBuilder as ModelBuilder
 from .problem import (
     Problem as Problem,
     evaluate_specifieds as evaluate_specifieds,
+    problem_of as problem_of,
     with_settings as with_settings,
 )
 from .residuals import solved_residuals as solved_residuals, with_unknowns as with_unknowns

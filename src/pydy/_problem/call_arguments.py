@@ -112,7 +112,7 @@ class CallArguments:
         if callable(r):
             return SpecifiedsPlan({symbols.symbols: r}, symbols, argument="r")
         update = SpecifiedsPlan(r, symbols, argument="r")
-        already_warned = self.problem.model.already_warned
+        already_warned = settings.already_warned
         AssumptionChecks(self.problem).inputs(update, "r")
         body, plan = definition.equations.multibody, None
         if body and body.activations:  # what has no value may have one in this call

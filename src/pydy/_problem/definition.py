@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -31,12 +31,11 @@ from pydy._checks import (
     shown,
     typed,
 )
-from pydy._errors import UnsupportedFunctionError, warn_user
+from pydy._errors import UnsupportedFunctionError
 from pydy._mechanics import Equations, find_symbols, sort_symbols
 from pydy._names import distinguished, name_of, unused_name
-from pydy._problem.energy import EnergyModel
 from pydy.codegen import checked_expression, one_format, symbolic_entries
-from pydy.solvers import CompiledEvents, Event
+from pydy.solvers import Event
 
 _CANDIDATES = (sm.Basic, sm.MatrixBase, list, tuple, np.ndarray)
 
@@ -71,52 +70,33 @@ def given_in(specifieds: Mapping[Any, Any]) -> Given:
 
 
 class DefinitionBuilder:
-    """Makes the Definition from the user's settings, and keeps it until they change."""
-
-    latest: Definition  # that was sound
+    """Makes Definitions of the same equations with outputs and specifieds of the user."""
 
     def __init__(
-        self,
-        equations: Equations,
-        energies: EnergyModel,
-        constants_symbols: Any,
-        specifieds_symbols: Any,
+        self, equations: Equations, constants_symbols: Any, specifieds_symbols: Any
     ) -> None:
         self._equations = equations
-        self.energies = energies
         self._base = base_symbols(equations, constants_symbols, specifieds_symbols)
         rows = (*equations.constraints.holonomic, *equations.constraints.nonholonomic)
         # The constraints as outputs.
-        self.residuals = {sm.Dummy(f"c{k}"): row for k, row in enumerate(rows)}
-        self._key: tuple[dict[Any, Any], list[Any], Given] | None = None
-        self.of_events: dict[Any, None] = {}  # keyed by the constants of all events that were met
-        self._wider: tuple[Definition, set[Any], Definition] | None = None
-        self._held: tuple[Definition, list[Any], list[Any]] | None = None  # by the latest events
-        self._warned_of: set[Any] = set()
+        self._residuals = {sm.Dummy(f"c{k}"): row for k, row in enumerate(rows)}
 
     def __call__(
         self,
         outputs: Mapping[Any, Any],
         forces: Sequence[Any],
-        specifieds: Mapping[Any, Any],
+        given: Given,
+        motions: Callable[[], Iterable[Any]],
     ) -> Definition:
-        """Return the Definition of outputs, names of noncontributing forces, and specifieds."""
-        if self._key is not None:
-            known, names, given = self._key
-            same = known == outputs and names == [*outputs, *forces]
-            if same and ((not specifieds and not given.keys) or given == given_in(specifieds)):
-                return self.latest
-        given = given_in(specifieds)
-        self.latest = self._made(self.users(outputs, forces), forces, given)
-        self._key = (dict(outputs), [*outputs, *forces], given)
-        self._warn(self.latest)
-        return self.latest
+        """Check outputs and sort symbols, including those of expressions for specifieds.
 
-    def _made(self, outputs: Mapping[Any, Any], forces: Sequence[Any], given: Given) -> Definition:
-        """Check outputs and sort symbols, including those of expressions for specifieds."""
+        The `forces` are the names of noncontributing forces. Further specifieds that may have a
+        value are `motions`, which the equations need not hold.
+        """
         equations, (constants, specifieds) = self._equations, self._base
+        outputs = self.users(outputs, forces)
         own, labels = self._labelled(outputs, forces) if outputs else ({}, {})
-        groups = output_groups({**own, **self.residuals})
+        groups = output_groups({**own, **self._residuals})
         if forces:
             groups.append(Group(tuple(forces), equations.auxiliary.residuals))
         results = [n for group in groups for n in group.names]
@@ -151,10 +131,10 @@ class DefinitionBuilder:
         r = sort_symbols({*specifieds, *more[1]})
         return Definition(
             equations,
-            Outputs(tuple(groups), tuple(self.residuals), tuple(forces), tuple(labels.items())),
+            Outputs(tuple(groups), tuple(self._residuals), tuple(forces), tuple(labels.items())),
             auxiliaries,
             tuple(sort_symbols({*constants, *more[0]} - {*auxiliaries})),
-            _ordered(r, given, {*results}, lambda: self.energies.motions),
+            _ordered(r, given, {*results}, motions),
         )
 
     def _labelled(
@@ -192,7 +172,7 @@ class DefinitionBuilder:
         equations = self._equations
         if not equations.constraints.velocity or equations.multibody is None:
             return
-        count = len(self.residuals) + len(equations.constraints.implied_velocity)
+        count = len(self._residuals) + len(equations.constraints.implied_velocity)
         names = {f"lambda{k}" for k in range(count)}
         for symbol in {*found} - {*known}:
             if name_of(symbol) in names:
@@ -202,19 +182,8 @@ class DefinitionBuilder:
                     "choose another name if a constant is meant."
                 )
 
-    def holding(self, definition: Definition, silent: Iterable[Any]) -> Definition:
-        """Return a Definition with those of some constants that events or energies contain."""
-        known = SymbolIndex(
-            [*dict.fromkeys((*self.of_events, *self.energies.symbols))], "constants"
-        )
-        meant = [known.meaning(key, "constants") for key in silent]
-        return self.widened(definition, {*meant} & {*known.symbols})
-
     def constants_of(self, definition: Definition, events: Any) -> list[Any]:
         """Return the symbols of events and their resets that nothing else is called."""
-        own, held = CompiledEvents.key(events), self._held
-        if own is not None and held is not None and held[:2] == (definition, own):
-            return held[2]
         events = events if isinstance(events, (list, tuple)) else [events]
         events = [event for event in events if isinstance(event, Event)]
         parts = [part for event in events for part in (event.expression, *event.reset.values())]
@@ -237,48 +206,23 @@ class DefinitionBuilder:
                 )
         found = [s for s in every if isinstance(s, sm.Symbol) and s.name not in taken]
         self._check_multipliers(found, definition.constants)
-        self.of_events.update(dict.fromkeys(found))
-        self._held = None if own is None else (definition, own, found)
         return found
-
-    def widened(self, definition: Definition, more: Iterable[Any]) -> Definition:
-        """Return a Definition with more constants; the latest is kept."""
-        constants = {*definition.constants, *more}
-        if len(constants) == len(definition.constants):
-            return definition
-        known = self._wider
-        if known is None or known[:2] != (definition, constants):
-            wider = replace(definition, constants=tuple(sort_symbols(constants)))
-            self._wider = known = (definition, constants, wider)
-            self._warn(wider)
-        return known[2]
 
     def users(self, outputs: Mapping[Any, Any] | None, forces: Sequence[Any]) -> dict[Any, Any]:
         """Return the user's own outputs among all."""
         named = named_outputs(check_mapping("outputs", outputs))
-        mine = {*self.residuals, *([tuple(forces)] if forces else [])}
+        mine = {*self._residuals, *([tuple(forces)] if forces else [])}
         return {key: value for key, value in named.items() if key not in mine}
 
     def merged(self, outputs: Mapping[Any, Any], forces: Sequence[Any]) -> dict[Any, Any]:
         """Return the user's outputs, then the residuals, then the noncontributing forces."""
-        result = {**self.users(outputs, forces), **self.residuals}
+        result = {**self.users(outputs, forces), **self._residuals}
         if forces:
             result[tuple(forces)] = list(self._equations.auxiliary.residuals)
         return result
 
-    def _warn(self, definition: Definition) -> None:
-        for symbols in _of_one_name(definition):
-            if symbols not in self._warned_of:
-                self._warned_of.add(symbols)
-                warn_user(
-                    f"The system has several symbols of one name: {describe(symbols)}. SymPy takes "
-                    "them for different symbols, because their assumptions differ, so that each "
-                    "has a value of its own. If one was meant, create it once and use it "
-                    "everywhere."
-                )
 
-
-def _of_one_name(definition: Definition) -> list[tuple[Any, ...]]:
+def equal_names(definition: Definition) -> list[tuple[Any, ...]]:
     """Return groups of symbols that differ in their assumptions alone, time included."""
     groups: dict[tuple[object, ...], list[Any]] = {}
     orders = definition.layout

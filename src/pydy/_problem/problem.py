@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Protocol
 
@@ -12,16 +12,22 @@ from pydy._assembly import CompiledModel, Definition
 from pydy._forks import cached_property
 from pydy._kernel import Inputs
 from pydy._problem.entries import check_specifieds
-from pydy._problem.model import Model
+from pydy._problem.model import Model, ModelBuilder
 from pydy._problem.residuals import solved_residuals
 from pydy._problem.settings import Settings, read_numbers
 from pydy._problem.specifieds import checked_plan, warn_of_activations
 from pydy._problem.state_samples import StateSamples
 from pydy.codegen import SpecifiedsPlan
+from pydy.solvers import Event
 
 
 class Hybrid(Protocol):
     """What makes a motion one of several modes, such as contacts."""
+
+    symbols: Sequence[Event]  # of expressions whose constants need numbers
+
+    def refuse_lost(self, constants: Mapping[Any, object]) -> None:
+        """Refuse constants of a System that lack those of the modes."""
 
     @property
     def depends_on_time(self) -> bool:
@@ -122,7 +128,7 @@ class Problem:
     def plan(self) -> SpecifiedsPlan:
         """How r is computed: by the latest plan, where at most numbers differ from its own."""
         settings, latest = self.settings, self.model.code.latest
-        already_warned = self.model.already_warned
+        already_warned = self.settings.already_warned
         warned, before = latest.get("plan", (None, None))
         plan: SpecifiedsPlan | None = None
         if warned is already_warned:
@@ -152,6 +158,34 @@ class Problem:
         """Return the model with these numbers at m times and states."""
         x = np.ascontiguousarray(x)
         return StateSamples(self.definition, self.code, t, x, self.plan.inputs.rows(x, t), self.p)
+
+
+def problem_of(
+    models: ModelBuilder,
+    settings: Settings,
+    *,
+    events: Event | Iterable[Event] | None = None,
+    constants: Mapping[Any, object] | None = None,
+    further: Iterable[Any] = (),
+    hybrid: Hybrid | None = None,
+) -> Problem:
+    """Return the Problem of what the user has set, with the symbols that one call brings.
+
+    Those of events are constants, and so are `further` symbols; keys of `constants` are, if
+    events or energies hold them.
+    """
+    named = {**settings.constants, **constants} if constants else settings.constants
+    if hybrid is not None:
+        hybrid.refuse_lost(named)
+        users = [events] if isinstance(events, Event) else events
+        events = [*hybrid.symbols, *(users if isinstance(users, (list, tuple)) else ())]
+    definition = models.definition(settings.outputs, settings.forces, settings.specifieds, named)
+    if events is not None:
+        definition = models.with_events(definition, events)
+    if further:
+        definition = models.widened(definition, further)
+    model = models.model(definition)
+    return Problem(model.definition, model, settings, hybrid)
 
 
 def with_settings(problem: Problem, **changes: Any) -> Problem:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -25,9 +26,13 @@ class Settings:
     specifieds: dict[Any, Any]
     initial_conditions: dict[Any, Any]
     times: np.ndarray  # the System's, which are the default of evaluations
+    outputs: dict[Any, Any] = field(default_factory=dict)
+    forces: Sequence[Any] = ()  # the names of noncontributing forces
     # Names of symbols whose values contradict their assumptions, of which the user was warned; None
     # where numbers are only tried.
     contradicted: set[str] | None = None
+    # Derivatives of specifieds that the user has been warned of.
+    already_warned: set[Any] = field(default_factory=set)
     # The states that initial conditions were solved for last; None for the method's own.
     solved_for: tuple[Any, ...] | None = None
 

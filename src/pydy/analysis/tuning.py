@@ -66,6 +66,9 @@ MULTIPLIER_MARGIN = 1e-5
 FIT_TOLERANCE = 1e-12
 """Relative changes of cost, parameters and gradient that end a fit: errors of the integrations."""
 
+REPORT_INTERVAL = 0.1
+"""Seconds between two reports of motions to a progress bar, as often as tqdm writes its own."""
+
 # -- sweeps ----------------------------------------------------------------------------------------
 
 VALUES_PER_PART = 256

@@ -334,9 +334,11 @@ class Contacts:
             "combination of modes, which has it, is returned by `in_modes`."
         )
 
-    def refuse_lost(self, constants: dict[Any, float]) -> None:
+    def refuse_lost(self, constants: Mapping[Any, object]) -> None:
         """Refuse constants that lack those of the Contacts, which would default to 1.0."""
-        numbers = SymbolDict(constants)
+        if self.contact_constants.keys() <= constants.keys():
+            return
+        numbers = SymbolDict({**constants})
         if missing := [key for key in self.contact_constants if key not in numbers]:
             raise ValueError(
                 f"`system.constants` has no value of `{missing[0]}`, "

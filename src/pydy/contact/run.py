@@ -447,13 +447,14 @@ class ContactRun:
             return True, []
         problem = Problem(
             model.definition,
-            replace(model, already_warned=self.problem.model.already_warned),
+            model,
             # Assumptions are checked along the complete motion.
             Settings(
                 {**self._numbers_of, **self.references(p, state, solution)},
                 self.problem.settings.specifieds,
                 dict(zip(self.problem.definition.states, state.x.tolist(), strict=True)),
                 np.concatenate([[state.t], self.times[later]]),
+                already_warned=self.problem.settings.already_warned,
             ),
         )
         options = {**self.options, "events": events}

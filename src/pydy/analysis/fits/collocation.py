@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -17,7 +17,6 @@ from pydy._errors import (
 )
 from pydy._integration import simulate
 from pydy._motion import native_solver
-from pydy._optional import progress_of
 from pydy._problem import FIT, Problem
 from pydy.analysis.fits.problem import FitProblem
 from pydy.analysis.fits.result import Minimum
@@ -36,7 +35,7 @@ def collocated(
     mesh: int | ArrayLike | None,
     process_noise: Mapping[SymbolOrName, float] | None,
     solver: tuple[str, dict[str, object]],  # its name and options
-    progress: bool,
+    report: Callable[..., None],  # to a progress bar
 ) -> Minimum:
     """Return the least-squares minimum, searched for from z by a nonlinear program."""
     disturbances = _disturbances(problem, process_noise)
@@ -47,10 +46,10 @@ def collocated(
     fit = Identification(experiments, shared, disturbances, problem.limits, problem.priors)
 
     def watch(iteration: Any) -> None:
-        bar(1, objective=f"{iteration.objective:.4g}", gap=f"{iteration.violation:.2g}")
+        report(1, objective=f"{iteration.objective:.4g}", gap=f"{iteration.violation:.2g}")
 
-    with progress_of(progress, " iterations") as bar:
-        result = fit.solve(z, mesh, search, watch)
+    report(0, part="machine code")
+    result = fit.solve(z, mesh, search, watch)
     ended = result.solution
     if ended.interrupted:
         latest = dict(zip(problem.names, result.z.tolist(), strict=True))

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pydy._checks import choice, flag, integer, listed, shown
+from pydy._optional import progress_of
 from pydy.analysis.fits.problem import FitProblem, FittedSystem
 from pydy.analysis.fits.result import FitResult, result_of
 from pydy.analysis.fits.shooting import ShootingFit
@@ -51,12 +52,16 @@ def fit(
         progress = flag(progress, "`progress`")
         options = {"max_iter": min(most, 2**31 - 1), **options}
         solver_and_options = "ipopt" if solver is None else solver, options
-        return result_of(
-            problem, collocated(problem, z, mesh, process_noise, solver_and_options, progress)
-        )
-    shooting = ShootingFit(problem, segments, options)
-    z = problem.read_known(shooting.guess(), bounds, priors)
-    return result_of(problem, shooting.minimum(z, most, flag(progress, "`progress`")))
+        with progress_of(progress, " iterations") as report:
+            report(0, part="first motions")
+            minimum = collocated(problem, z, mesh, process_noise, solver_and_options, report)
+        return result_of(problem, minimum)
+    with progress_of(flag(progress, "`progress`"), " evaluations") as report:
+        report(0, part="first motions")
+        shooting = ShootingFit(problem, segments, options, report)
+        z = problem.read_known(shooting.guess(), bounds, priors)
+        minimum = shooting.minimum(z, most)
+    return result_of(problem, minimum)
 
 
 def _listed(parameters: Any, trials: object) -> list[object]:

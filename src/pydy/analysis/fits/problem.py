@@ -7,7 +7,8 @@ Shooting appends the states at the starts of segments.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
+from copy import copy
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -23,10 +24,19 @@ from pydy._checks import (
     shown,
 )
 from pydy._names import unique_names
-from pydy._problem import Problem, warn_of_contradictions, with_settings, with_unknowns
+from pydy._problem import (
+    ModelBuilder,
+    Problem,
+    Settings,
+    problem_of,
+    warn_of_contradictions,
+    with_settings,
+    with_unknowns,
+)
 from pydy._states import located, with_dependents
 from pydy.analysis.bounds import limits
 from pydy.analysis.fits.samples import TrialSamples, checked_trial
+from pydy.solvers import Event
 
 if TYPE_CHECKING:
     from pydy._sympy_types import AnySymbol, SymbolOrName
@@ -36,14 +46,12 @@ Numbers = dict[Any, Any]
 
 @dataclass(frozen=True, eq=False)
 class FittedSystem:
-    """The functions and options of a System that a fit needs."""
+    """What a fit needs of a System."""
 
-    # (events, constants) → the System's Problem with the events and further constants
-    problem: Callable[[Any, Numbers], Problem]
-    # (events, outputs, constants, specifieds) → a Problem of trial values, exempt from assumptions
-    tried: Callable[[Any, Numbers, Numbers, Numbers], Problem]
-    solver: Callable[..., Any]  # the System's `ode_solver`
-    contacts: Any = None  # the Contacts that simulate these Problems
+    models: ModelBuilder
+    settings: Settings  # its numbers
+    solver: Callable[..., Any]  # its `ode_solver`
+    contacts: Any = None  # the Contacts that simulate its Problems
 
 
 class FitProblem:
@@ -54,14 +62,16 @@ class FitProblem:
         model: FittedSystem,
         parameters: SymbolOrName | Iterable[SymbolOrName],
         trials: Sequence[object],
-        events: object,
+        events: Event | Iterable[Event] | None,
     ) -> None:
         self.model, self._events = model, events
         keys = one_or_more("parameters", parameters, hashable=True)
         constants: Numbers = dict.fromkeys(keys)
         for trial in trials:
             constants |= check_mapping("constants", getattr(trial, "constants", None))
-        self.base = model.problem(events, constants)
+        self.base = problem_of(
+            model.models, model.settings, events=events, constants=constants, hybrid=model.contacts
+        )
         definition = self.base.definition
         self._outputs: Numbers = {}  # names of measured expressions, and these
         self.trials = [
@@ -94,6 +104,7 @@ class FitProblem:
             raise ValueError("`parameters` must name at least one constant or state.")
         self.start = np.array(start)
         self._problems: dict[int, Problem] = {}
+        self._models = copy(model.models)  # of trials: the System's latest remain its latest
         self.limits = np.empty(0), np.empty(0)
         self.priors: list[tuple[int, float, float]] = []
 
@@ -169,8 +180,7 @@ class FitProblem:
             symbols.append(symbol)
             columns.append(first + j)
         if k not in self._problems:
-            tried = self.model.tried(self._events, self._outputs, constants, specifieds)
-            self._problems[k] = tried
+            self._problems[k] = self._trial_problem(constants, specifieds)
         trial_problem = with_settings(
             self._problems[k],
             constants=constants,
@@ -181,6 +191,23 @@ class FitProblem:
         if self.dependents:
             trial_problem = with_dependents(trial_problem, self.dependents)
         return trial_problem, symbols, columns
+
+    def _trial_problem(self, constants: Numbers, specifieds: Numbers) -> Problem:
+        """Return a Problem with measured expressions as outputs, exempt from assumptions.
+
+        Its arrays may differ from the System's: expressions among the specifieds of a trial may
+        hold symbols of their own.
+        """
+        settings = replace(
+            self.base.settings,
+            constants=constants,
+            specifieds=specifieds,
+            outputs={**self.base.settings.outputs, **self._outputs},
+            contradicted=None,
+            already_warned=set(),
+        )
+        events, contacts = self._events, self.model.contacts
+        return problem_of(self._models, settings, events=events, hybrid=contacts)
 
     # -- bounds and priors of the parameters ------------------------------------------------------
 

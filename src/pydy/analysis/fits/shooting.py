@@ -6,6 +6,8 @@ between segments are additional residuals, whose weights grow from search to sea
 
 from __future__ import annotations
 
+import time
+from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass
 from itertools import pairwise
@@ -16,13 +18,12 @@ import numpy as np
 from pydy._errors import IntegrationError, SingularMatrixError
 from pydy._integration import simulate
 from pydy._motion import call_odeint, is_implicit, is_odeint, native_solver
-from pydy._optional import progress_of
 from pydy._problem import FIT, Problem
 from pydy.analysis.fits.problem import FitProblem
 from pydy.analysis.fits.result import Minimum
 from pydy.analysis.fits.samples import TrialSamples
 from pydy.analysis.fits.search import estimate
-from pydy.analysis.tuning import LEAST_SIZE
+from pydy.analysis.tuning import LEAST_SIZE, REPORT_INTERVAL
 from pydy.solvers import SOLVERS
 from pydy.trajectory import Trajectory
 
@@ -47,14 +48,25 @@ class _TrialSegment:
 class ShootingFit:
     """The residuals of a fit as a function of z."""
 
-    def __init__(self, problem: FitProblem, segments: int, options: dict[str, Any]) -> None:
+    def __init__(
+        self,
+        problem: FitProblem,
+        segments: int,
+        options: dict[str, Any],
+        report: Callable[..., None],
+    ) -> None:
         self.problem = problem
+        self.report = report  # to a progress bar, by its number of evaluations
         self.options = {"rtol": FIT, "atol": FIT, **options}
         self.chosen = "atol" not in options  # whether absolute tolerances follow the states' sizes
         if problem.dependents:
             self.options.setdefault("constraints", "project")
         self.names = list(problem.names)  # of all of z
         self.segments = [self._split_trial(d, segments) for d in problem.trials]
+        self.motions = sum(map(len, self.segments))  # of one evaluation
+        self.simulated = 0  # motions of the present evaluation
+        self.misfit: dict[str, str] = {}  # that of the latest evaluation, as it is shown
+        self.next_report = 0.0  # of motions, by `time.monotonic`
         self.state_indices = [problem.states.index(s) for s in problem.independent]
         self.state_spread = np.ones(len(problem.independent))
         n = len(problem.states)
@@ -131,6 +143,7 @@ class ShootingFit:
         trial_problem, parameters, columns = self.problem.motion(z, k, times, segment.column)
         motion = self.simulate(trial_problem, parameters)
         self.largest = np.maximum(self.largest, np.abs(motion.states).max(axis=0))
+        self._report_motion()
         if len(motion.times) < len(times):
             raise ValueError(
                 f"An event ended {d.label} at t = {float(motion.times[-1])!r}, before the last of "
@@ -138,11 +151,19 @@ class ShootingFit:
             )
         return motion, columns, skip
 
+    def _report_motion(self) -> None:
+        """Show how many motions of an evaluation are simulated, not more often than a bar moves."""
+        self.simulated += 1
+        if self.motions > 1 and (now := time.monotonic()) >= self.next_report:
+            self.next_report = now + REPORT_INTERVAL
+            self.report(0, motions=f"{self.simulated}/{self.motions}", **self.misfit)
+
     def evaluate(self, z: np.ndarray, *, first: bool = False) -> tuple[np.ndarray, np.ndarray]:
         """Return residuals and gaps of all trials, and their derivatives.
 
         At the `first` z of a search, all must be finite.
         """
+        self.simulated = 0
         values, slopes, gaps = [], [], []
         for k, d in enumerate(self.problem.trials):
             for j, segment in enumerate(self.segments[k]):
@@ -229,7 +250,7 @@ class ShootingFit:
             self.state_spread = np.maximum(np.std(starts, axis=0), least)
         return z
 
-    def minimum(self, z: np.ndarray, most: int, progress: bool) -> Minimum:
+    def minimum(self, z: np.ndarray, most: int) -> Minimum:
         """Return the least-squares minimum, searched for from z by at most `most` evaluations."""
         problem, count = self.problem, 0
         size = problem.samples + (len(z) - problem.count)
@@ -249,15 +270,18 @@ class ShootingFit:
                     raise
                 values, slopes = np.full(size, np.nan), np.zeros((size, len(z)))
             with np.errstate(all="ignore"):
-                bar(1, residual=f"{np.sqrt(np.mean(values**2)):.4g}")
+                missed, gaps = values[~self.is_gap], np.abs(values[self.is_gap])
+                self.misfit = {"residual": f"{np.sqrt(np.mean(missed**2)):.4g}"}
+                if len(gaps):
+                    self.misfit["gap"] = f"{gaps.max() / self.weight:.2g}"
+                self.report(1, **self.misfit)
                 return problem.with_priors(values, slopes, z)
 
         weights = _WEIGHTS if len(z) > problem.count else (0.0,)
-        with progress_of(progress, " evaluations") as bar:
-            for self.weight in weights:
-                z, values, J, ended = estimate(
-                    evaluate, z, problem.limits, self.names, most, warns=self.weight == weights[-1]
-                )
+        for self.weight in weights:
+            z, values, J, ended = estimate(
+                evaluate, z, problem.limits, self.names, most, warns=self.weight == weights[-1]
+            )
         values, J, residuals = self._without_gaps(values, J)
         return Minimum(
             z, values, J, residuals, self.sizes, float(np.max(self.options["rtol"])),
