@@ -16,7 +16,6 @@ from .inputs import inputs_of as inputs_of
 from .linear_system import LinearSystem as LinearSystem
 from .lowering import lower as lower
 from .node import Graph as Graph
-from .one_sided import protected_conditions as protected_conditions
 from .passes import passes_are_shipped as passes_are_shipped, rewriting as rewriting
 from .passes.factor import factor_sums as factor_sums
 from .products import derivative_program as derivative_program

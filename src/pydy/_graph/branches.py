@@ -89,6 +89,12 @@ class Branches:
                     replacements[node] = slope if positive else graph.neg(slope)
         return substitute(graph, nodes, above), substitute(graph, nodes, below)
 
+    def protected_conditions(self) -> list[int]:
+        """Return conditions, true at single states, by which a Piecewise avoids a singularity."""
+        from pydy._graph.one_sided import protected_conditions  # most models do not switch
+
+        return protected_conditions(self.graph, self.nodes)
+
 
 def _turning(graph: Graph, node: int) -> int:
     """Return a node that changes its sign where another one is a whole number."""

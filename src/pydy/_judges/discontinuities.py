@@ -264,10 +264,8 @@ class _ProtectedStates:
 
     def __call__(self, assembly: Assembly) -> dict[str, list[int]]:
 
-        from pydy._graph import protected_conditions  # loads what integration does not need
-
         graph, rates = assembly.graph, assembly.blocks.rates
-        conditions = protected_conditions(graph, rates)
+        conditions = Branches(graph, rates).protected_conditions()
         truths = [graph.call("select", n, graph.one, graph.zero) for n in conditions]
         return {"conditions": truths, "rates": [*rates] if conditions else []}
 
