@@ -2526,9 +2526,8 @@ class System:
         from pydy.analysis import FittedSystem, fit
 
         self._checked_contacts(contacts)
-        settings = self._now().settings
         return fit(
-            FittedSystem(self._models, settings, self.ode_solver, contacts),
+            FittedSystem(self._now(contacts=contacts), self.ode_solver),
             parameters,
             trials,
             bounds=bounds,

@@ -16,6 +16,7 @@ from .problem import (
     Problem as Problem,
     evaluate_specifieds as evaluate_specifieds,
     problem_of as problem_of,
+    redefined as redefined,
     with_settings as with_settings,
 )
 from .residuals import solved_residuals as solved_residuals, with_unknowns as with_unknowns

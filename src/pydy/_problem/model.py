@@ -41,6 +41,7 @@ class Model:
     definition: Definition
     code: CompiledModel  # takes all specifieds as inputs
     energies: EnergyModel
+    builder: ModelBuilder  # which makes others of the same equations
 
     @staticmethod
     def of(
@@ -162,7 +163,7 @@ class ModelBuilder:
             if model.definition is definition or model.definition == definition:
                 return model
         code = compile_definition(definition, self._source, self._options)
-        model = Model(definition, code, self.energies)
+        model = Model(definition, code, self.energies, self)
         self._models = [model, *self._models[:1]]
         return model
 

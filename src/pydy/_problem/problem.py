@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from copy import copy
 from dataclasses import dataclass, replace
 from typing import Any, Protocol
 
@@ -25,6 +26,7 @@ class Hybrid(Protocol):
     """What makes a motion one of several modes, such as contacts."""
 
     symbols: Sequence[Event]  # of expressions whose constants need numbers
+    infeasible: type[Exception]  # what a search meets where modes contradict its numbers
 
     def refuse_lost(self, constants: Mapping[Any, object]) -> None:
         """Refuse constants of a System that lack those of the modes."""
@@ -164,7 +166,7 @@ def problem_of(
     models: ModelBuilder,
     settings: Settings,
     *,
-    events: Event | Iterable[Event] | None = None,
+    events: object = None,
     constants: Mapping[Any, object] | None = None,
     further: Iterable[Any] = (),
     hybrid: Hybrid | None = None,
@@ -186,6 +188,24 @@ def problem_of(
         definition = models.widened(definition, further)
     model = models.model(definition)
     return Problem(model.definition, model, settings, hybrid)
+
+
+def redefined(
+    problem: Problem,
+    *,
+    events: object = None,
+    constants: Mapping[Any, object] | None = None,
+    apart: bool = False,
+    **changes: Any,
+) -> Problem:
+    """Return a Problem of the same equations with other settings, which may bring symbols.
+
+    `events` and `constants` are those of `problem_of`. The Models that it needs are not stored with
+    those of the Problem's System if it is `apart`.
+    """
+    models = copy(problem.model.builder) if apart else problem.model.builder
+    settings = replace(problem.settings, **changes)
+    return problem_of(models, settings, events=events, constants=constants, hybrid=problem.hybrid)
 
 
 def with_settings(problem: Problem, **changes: Any) -> Problem:

@@ -41,7 +41,7 @@ def fit(
     segments, most = integer(segments, "`segments`"), integer(most, "`most`")
     collocation = choice(method, ("shooting", "collocation"), "`method`") == "collocation"
     only = {"mesh": mesh, "process_noise": process_noise, "solver": solver}
-    _check_method(collocation, segments, only, options, model.contacts)
+    _check_method(collocation, segments, only, options, model.problem.hybrid)
     if isinstance(options.get("events"), Iterator):
         options = {**options, "events": [*options["events"]]}
     problem = FitProblem(model, parameters, trials, options.get("events"))

@@ -7,8 +7,7 @@ Shooting appends the states at the starts of segments.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from copy import copy
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -25,10 +24,8 @@ from pydy._checks import (
 )
 from pydy._names import unique_names
 from pydy._problem import (
-    ModelBuilder,
     Problem,
-    Settings,
-    problem_of,
+    redefined,
     warn_of_contradictions,
     with_settings,
     with_unknowns,
@@ -36,7 +33,6 @@ from pydy._problem import (
 from pydy._states import located, with_dependents
 from pydy.analysis.bounds import limits
 from pydy.analysis.fits.samples import TrialSamples, checked_trial
-from pydy.solvers import Event
 
 if TYPE_CHECKING:
     from pydy._sympy_types import AnySymbol, SymbolOrName
@@ -48,10 +44,8 @@ Numbers = dict[Any, Any]
 class FittedSystem:
     """What a fit needs of a System."""
 
-    models: ModelBuilder
-    settings: Settings  # its numbers
+    problem: Problem
     solver: Callable[..., Any]  # its `ode_solver`
-    contacts: Any = None  # the Contacts that simulate its Problems
 
 
 class FitProblem:
@@ -62,20 +56,18 @@ class FitProblem:
         model: FittedSystem,
         parameters: SymbolOrName | Iterable[SymbolOrName],
         trials: Sequence[object],
-        events: Event | Iterable[Event] | None,
+        events: object,
     ) -> None:
         self.model, self._events = model, events
         keys = one_or_more("parameters", parameters, hashable=True)
         constants: Numbers = dict.fromkeys(keys)
         for trial in trials:
             constants |= check_mapping("constants", getattr(trial, "constants", None))
-        self.base = problem_of(
-            model.models, model.settings, events=events, constants=constants, hybrid=model.contacts
-        )
+        self.base = self._latest = redefined(model.problem, events=events, constants=constants)
         definition = self.base.definition
         self._outputs: Numbers = {}  # names of measured expressions, and these
         self.trials = [
-            checked_trial(k, trial, definition, self._outputs) for k, trial in enumerate(trials)
+            checked_trial(k, trial, self.base, self._outputs) for k, trial in enumerate(trials)
         ]
         if len({d.trial.noise is None for d in self.trials}) > 1:
             raise ValueError("Give the `noise` of all trials, or of none.")
@@ -104,7 +96,6 @@ class FitProblem:
             raise ValueError("`parameters` must name at least one constant or state.")
         self.start = np.array(start)
         self._problems: dict[int, Problem] = {}
-        self._models = copy(model.models)  # of trials: the System's latest remain its latest
         self.limits = np.empty(0), np.empty(0)
         self.priors: list[tuple[int, float, float]] = []
 
@@ -198,16 +189,17 @@ class FitProblem:
         Its arrays may differ from the System's: expressions among the specifieds of a trial may
         hold symbols of their own.
         """
-        settings = replace(
-            self.base.settings,
+        self._latest = redefined(
+            self._latest,
+            events=self._events,
+            apart=self._latest is self.base,
             constants=constants,
             specifieds=specifieds,
             outputs={**self.base.settings.outputs, **self._outputs},
             contradicted=None,
             already_warned=set(),
         )
-        events, contacts = self._events, self.model.contacts
-        return problem_of(self._models, settings, events=events, hybrid=contacts)
+        return self._latest
 
     # -- bounds and priors of the parameters ------------------------------------------------------
 

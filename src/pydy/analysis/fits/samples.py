@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pydy._assembly import Definition
 from pydy._checks import (
     check_mapping,
     describe,
@@ -19,7 +18,7 @@ from pydy._checks import (
 )
 from pydy._mechanics import find_symbols, function_of_time
 from pydy._names import some, unique_names
-from pydy._problem import sort_out
+from pydy._problem import Problem, sort_out
 from pydy.analysis.fits.trial import Trial, checked_noise, checked_samples, instants
 from pydy.analysis.tuning import LARGEST_RESIDUAL
 
@@ -43,10 +42,10 @@ class TrialSamples:
 
 
 def checked_trial(
-    k: int, trial: object, definition: Definition, outputs: dict[AnySymbol, Expression]
+    k: int, trial: object, problem: Problem, outputs: dict[AnySymbol, Expression]
 ) -> TrialSamples:
     """Check a trial, the k-th; expressions that it measures get names in `outputs`."""
-    states = definition.places["states"]
+    states, variables = problem.definition.places["states"], problem.definition.variables
     label = f"trial {k}"
     if not isinstance(trial, Trial):
         raise TypeError(
@@ -59,13 +58,13 @@ def checked_trial(
     times, begin = instants(trial, label)
     values = checked_samples(trial, label, times)
     measured = check_mapping(f"measured of {label}", trial.measured)
-    keys = [_key(key, label, definition, outputs) for key in measured]
+    keys = [_key(key, label, problem, outputs) for key in measured]
     refuse_twice(keys, f"measured of {label}")
     unknown = states.chosen(one_or_more("unknown", trial.unknown), f"unknown of {label}")
     names = list(unique_names(list(measured)))
     noise_entries = trial.noise
     if isinstance(noise_entries, Mapping):
-        meaning = definition.variables.meaning
+        meaning = variables.meaning
         key_of = {**dict(zip(names, keys, strict=True)), **dict(zip(measured, keys, strict=True))}
         noise_keys = [key_of.get(key, meaning(key, "noise")) for key in noise_entries]
         refuse_twice(noise_keys, f"noise of {label}")
@@ -82,8 +81,9 @@ def checked_trial(
 
 
 def _key(
-    key: ExpressionOrName, label: str, definition: Definition, outputs: dict[AnySymbol, Expression]
+    key: ExpressionOrName, label: str, problem: Problem, outputs: dict[AnySymbol, Expression]
 ) -> AnySymbol:
+    definition = problem.definition
     measurable = definition.variables
     index = measurable.get(key, "measured")
     if index is not None:

@@ -255,7 +255,7 @@ class ShootingFit:
         problem, count = self.problem, 0
         size = problem.samples + (len(z) - problem.count)
         # A search may try values that contacts reject: a negative gap, a restitution above one.
-        contacts = problem.model.contacts
+        contacts = problem.model.problem.hybrid
         refused = () if contacts is None else (contacts.infeasible,)
 
         def evaluate(z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
