@@ -742,3 +742,24 @@ def test_a_name_of_another_library_is_refused_with_the_one_that_is_meant(name, m
     with pytest.raises(AttributeError, match=r"no attribute 'qqqqqq'\Z"):
         _ = trajectory.qqqqqq
     assert copy.copy(trajectory).times is not None
+
+
+@pytest.mark.parametrize("end", [2.0, -2.0])
+def test_a_motion_that_an_event_ends_is_known_up_to_the_event(end):
+    system = multi_mass_spring_damper()
+    position = system.coordinates[0]
+    system.initial_conditions, system.ode_solver = {position: 1.0}, "dop853"
+    system.times = [0.0, 0.25 * end, end]
+    reference = system.simulate(rtol=1e-11, atol=1e-11)
+    threshold = float(reference.at(0.75 * end)[position][0])
+    event = Event(position - threshold, terminal=True)
+    trajectory = system.simulate(events=[event], rtol=1e-11, atol=1e-11)
+    last = trajectory.events[0].time
+    assert abs(trajectory.times[-1]) < abs(last)
+    times = [0.5 * last, 0.9 * last, last]
+    expected = reference.at(times).states
+    np.testing.assert_allclose(trajectory.at(times).states, expected, rtol=1e-8, atol=1e-9)
+    restored = pickle.loads(pickle.dumps(trajectory)).at(times).states
+    np.testing.assert_allclose(restored, expected, atol=0.05)  # by the states at its ends
+    with pytest.raises(ValueError, match="within the simulated time"):
+        trajectory.at(1.01 * last)

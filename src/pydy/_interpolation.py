@@ -130,11 +130,12 @@ def check_sensitivities(value: object, shape: tuple[int, int]) -> None:
         )
 
 
-def checked_times(times: object, limits: np.ndarray) -> np.ndarray:
+def checked_times(times: object, trajectory: Interpolated) -> np.ndarray:
     """Check that times ascend or descend and lie within those of a trajectory."""
     if hasattr(times, "states") and hasattr(times, "times"):
         raise TypeError("`times` must be numbers, got a Trajectory: pass its `times`.")
     checked = monotonic(np.atleast_1d(real_array(times, "`times`")), "`times`")
+    limits = _simulated_times(trajectory)
     first, last = _span(limits)
     outside = checked[~((checked >= first) & (checked <= last))]
     if outside.size:
@@ -143,6 +144,15 @@ def checked_times(times: object, limits: np.ndarray) -> np.ndarray:
             f"{outside[0]}."
         )
     return checked
+
+
+def _simulated_times(trajectory: Interpolated) -> np.ndarray:
+    """Return the first and last time of a trajectory, or of an event beyond its samples."""
+    times = trajectory.times
+    if not len(times):
+        return times
+    every = [times[0], times[-1], *(event.time for event in trajectory.events)]
+    return np.array([max(every), min(every)] if descends(times) else [min(every), max(every)])
 
 
 def _span(times: np.ndarray) -> tuple[float, float]:

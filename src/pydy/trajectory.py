@@ -550,7 +550,7 @@ class Trajectory(Continued):
         Parameters
         ----------
         times : array_like, shape (k,)
-            Ascending or descending, within the simulated time.
+            Ascending or descending, within the simulated time, which ends at a terminal event.
 
         Returns
         -------
@@ -570,7 +570,7 @@ class Trajectory(Continued):
         >>> system.simulate().at([0.05, 0.15])['x0'].round(6)
         array([0.998771, 0.989312])
         """
-        times = checked_times(times, self.times)
+        times = checked_times(times, self)
         if descends(times):
             return reversed_rows(self.at(times[::-1]))
         if descends(self.times):
