@@ -14,7 +14,7 @@ import sympy as sm
 from pydy._checks import choice, instance, number, positive
 from pydy.plot import axes_of
 from pydy.system import System
-from pydy.vehicles.manoeuvres import check_name, names_of, three_names
+from pydy.vehicles.manoeuvres import check_name, coordinate_of, names_of, three_names
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -205,7 +205,7 @@ def lane_change(
     constants = names_of(system.constants_symbols)
     check_name(yaw_rate, "yaw_rate", states)
     check_name(speed, "speed", [*states, *constants])
-    x, y, psi = (_coordinate(system, name, k) for k, name in enumerate(three_names(position)))
+    x, y, psi = (coordinate_of(system, name, k) for k, name in enumerate(three_names(position)))
     internal = [name for name in names_of(system.coordinates) if name not in position]
     values = system.initial_conditions if speed in states else system.constants
     u = positive(values.get(speed, 0.0), f"The initial value of {speed}")
@@ -242,12 +242,6 @@ def lane_change(
     )
 
 
-def _coordinate(system: System, name: Any, k: int) -> Any:
-    names = names_of(system.coordinates)
-    check_name(name, f"position[{k}]", names)
-    return system.coordinates[names.index(name)]
-
-
 def _between(value: Any, least: float, most: float) -> sm.Expr:
     return sm.Max(least, sm.Min(value, most, evaluate=False), evaluate=False)
 
@@ -270,7 +264,8 @@ def _steering_gain(
     system: System, steering: str, speed: str, yaw_rate: str, internal: list[str], u: float
 ) -> float:
     """Return the steering angle for each curvature of the linearised car in steady turns."""
-    linear = system.linearize(inputs=[steering])
+    # At its initial state a car may slow down, by rolling resistance: no equilibrium is asked for.
+    linear = system.linearize(at={}, inputs=[steering])
     # Of the other states, the path follows; what loads and tires follow is steady, too.
     driving = [*names_of(system.speeds), *internal]
     free = [name for name in driving if name != speed and name in linear.states]
