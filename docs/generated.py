@@ -34,7 +34,7 @@ GALLERY = (
     *("gyroscope_from_joints", "gyroscope_in_gimbals", "four_bar", "engine_forces", "andrews"),
     *("rolling_disc", "ball_on_a_dome", "rattleback", "bouncing_ball", "stick_slip", "walker"),
     *("relief_valve", "four_bar_with_play", "woodpecker", "bicycle", "bicycle_root_locus"),
-    *("car_lane_change", "trailer_trim", "trailer_backing_up"),
+    *("car_lane_change", "car_to_steer", "trailer_trim", "trailer_backing_up"),
     *("quadrotor_trim", "quadrotor_slung_load"),
     *("furuta_pendulum", "bicycle_brakes", "double_pendulum_flips", "bicycle_uncertain"),
     *("double_pendulum_fit", "standing_person", "brachistochrone", "arm_least_time"),
