@@ -131,6 +131,7 @@ bench-peers: $(VENV)/.installed-test $(PEERS)/.installed $(ADAM)/.installed
 	$(PY) benchmarks/closed_loops.py
 	$(PY) benchmarks/contacts.py
 	$(PY) benchmarks/multibody.py --peer-python $(PEERS_PY)
+	$(PY) benchmarks/rolling_disc.py --peer-python $(PEERS_PY)
 	$(PY) benchmarks/vehicle_models.py --peer-python $(PEERS_PY)
 	PYDY_CPU=x86-64-v3 $(PY) benchmarks/peers.py --peer-python $(PEERS_PY)
 	$(PY) benchmarks/exported.py --peer-python $(PEERS_PY)

@@ -335,6 +335,53 @@ def test_friction_ellipses_are_pure_slip_on_the_axes_and_full_friction_between()
     assert np.hypot(Fy / Y, Fy / np.sin(0.1) * 0.08 / Dx) == pytest.approx(1.0)
 
 
+@pytest.mark.parametrize("name", ["5.2", "6.2, paper", "6.1, book"])
+def test_with_friction_ellipses_the_trail_is_that_of_combined_slip(name):
+    # The trail needs the slip stiffnesses only. With weights of 1 the coefficients' moment has it.
+    version, equations, values = TIRES[name]
+    values = {k: v for k, v in values.items() if not re.match("R|SSZ|QDZ[6-9]|QDZ1[01]", k)}
+    both = {
+        way: MagicFormula(
+            values | {"RBX1": 1e-30, "RCX1": 1.0, "RBY1": 1e-30, "RCY1": 1.0},
+            version,
+            equations=equations,
+            combined=way,
+        )
+        for way in ("coefficients", "ellipse")
+    }
+    for kappa in (-1.0, -0.2, 0.0, 0.1):
+        trails = {}
+        for way, tire in both.items():
+            forces = tire.forces(4000, kappa, 0.05)
+            trails[way] = -forces.Mz / forces.Fy
+        assert trails["ellipse"] == pytest.approx(trails["coefficients"], rel=1e-12)
+    free, locked = (both["ellipse"].forces(4000, kappa, 0.05) for kappa in (0.0, -1.0))
+    assert abs(locked.Mz / locked.Fy) < 0.5 * abs(free.Mz / free.Fy)
+
+
+def test_with_friction_ellipses_the_longitudinal_force_has_its_arm():
+    values = {k: v for k, v in TABLE_A31.items() if not k.startswith(("R", "SSZ"))}
+    tire = MagicFormula(values, combined="ellipse")
+    arm = tire.replace(SSZ1=0.05)
+    forces, moved = (one.forces(4000, 0.1, 0.05) for one in (tire, arm))
+    radius = TABLE_A31["UNLOADED_RADIUS"]
+    assert moved.Mz - forces.Mz == pytest.approx(0.05 * radius * forces.Fx)
+
+
+def test_the_vertical_stiffness_is_scaled():
+    spring = {"VERTICAL_STIFFNESS": 2e5, "BREFF": 8.0, "DREFF": 0.25, "FREFF": 0.05}
+    for more in ({}, {"Q_FZ2": 10.0}):
+        tire = MagicFormula({**COMMON, **spring, **more})
+        stiff = tire.replace(LCZ=1.5)
+        assert stiff.normal_force(-0.02) == pytest.approx(1.5 * tire.normal_force(-0.02))
+        assert stiff.normal_force(0.0, -1.0) == tire.normal_force(0.0, -1.0)
+    # Of what the radius falls by, the deflection, a stiffer tire has less: Pacejka 2012, (A3.7).
+    falls = [COMMON["UNLOADED_RADIUS"] - one.rolling_radius(4000) for one in (tire, stiff)]
+    assert falls[0] == pytest.approx(1.5 * falls[1])
+    with pytest.raises(ValueError, match="The coefficient LCZ must be positive, got 0"):
+        tire.replace(LCZ=0.0)
+
+
 def test_what_is_missing_and_what_is_not_read_is_said():
     with pytest.warns(
         PyDyUserWarning, match=r"Version 6\.1 .* does not read PTX1\. Pass `version`"

@@ -5,6 +5,7 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
+from oracles.rolling_disc import disc_motion
 from pydy.mechanics import Definition
 from pydy.system import System
 from pydy.vehicles import LinearTire, WheelContact
@@ -101,6 +102,29 @@ def test_an_upright_disc_wobbles_at_the_frequency_of_its_linear_equations(spin):
     pair = np.sqrt(complex(square))
     for expected in (pair, -pair):
         assert np.abs(eigenvalues - expected).min() < 1e-7 * abs(pair)
+
+
+@pytest.mark.parametrize("method", ["definition", "kane"])
+@pytest.mark.parametrize(
+    ("lean", "rates"), [(0.3, (1.0, 8.0, 0.5)), (-0.6, (0.0, -12.0, 3.0)), (0.9, (0.4, 2.0, 9.0))]
+)
+def test_a_disc_moves_as_the_equations_of_textbooks_say(lean, rates, method):
+    times = np.linspace(0.0, 1.0, 11)
+    expected = disc_motion(times, lean, rates, M, R, G)
+    system, _ = rolling(method=method, times=times)
+    system.ode_solver = "dop853"
+    start = dict(zip(("w1", "w2", "w3"), rates, strict=True))
+    x, y, z = expected[0, :3]
+    # The velocity of the centre is that of rolling, r (ω₂ e₁ − ω₁ e₂).
+    rolled = {"vx": R * rates[1], "vy": -R * rates[0] * np.cos(lean)}
+    rolled["vz"] = -R * rates[0] * np.sin(lean)
+    start |= {"x": x, "y": y, "z": z, "lean": lean, **rolled}
+    system.initial_conditions = {me.dynamicsymbols(name): v for name, v in start.items()}
+    motion = system.simulate(rtol=1e-13, atol=1e-13, constraints="project")
+    names = ("x", "y", "z", "yaw", "lean", "w1", "w2", "w3")
+    found = np.stack([motion[name] for name in names], axis=1)
+    np.testing.assert_allclose(found, expected, rtol=0, atol=1e-9)
+    assert np.ptp(expected[:, 4]) > 0.2  # it wobbles
 
 
 @pytest.mark.parametrize("crown", [0.0, 0.06])

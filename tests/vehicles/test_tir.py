@@ -90,6 +90,12 @@ def test_a_unit_of_pressure_is_read_where_there_is_one(written):
     [
         ("FITTYP = 5", "5.2"),
         ("FITTYP = 6", "5.2"),
+        ("FITTYP = 21", "5.2"),
+        ("FITTYP = 60", "6.1"),
+        ("FITTYP = 51\nPCY1 = 1.2", None),  # of motorcycles
+        ("FITTYP = 52\nPCY1 = 1.2", None),
+        ("FITTYP = 63\nPCY1 = 1.2\nPKY6 = 1", None),  # not known here
+        ("PROPERTY_FILE_FORMAT = 'MF-MCTyre'", None),
         ("FITTYP = 61", "6.1"),
         ("FITTYP = 62", "6.2"),
         ("PROPERTY_FILE_FORMAT = 'PAC2002'", "PAC2002"),
@@ -109,6 +115,30 @@ def test_a_file_for_another_model_needs_a_version(written):
     file = read_tir(written("[MODEL]\nPROPERTY_FILE_FORMAT = 'FIALA'\n"))
     with pytest.raises(ValueError, match="is for another tire model"):
         MagicFormula(file)
+
+
+def test_a_tire_of_a_motorcycle_is_named(written):
+    file = read_tir(written("[MODEL]\nFITTYP = 52\n[LATERAL]\nPCY1 = 1.2\n"))
+    with pytest.raises(ValueError, match=r"another tire model \(FITTYP = 52, MF-MCTyre 1.1\)"):
+        MagicFormula(file)
+
+
+def test_a_negative_use_mode_mirrors_the_tire(written):
+    text = (files("pydy.examples") / "passenger_car.tir").read_text()
+    usual, other = (
+        MagicFormula(read_tir(written(text.replace("USE_MODE = 4", f"USE_MODE = {mode}"))))
+        for mode in (14, -14)
+    )
+    assert (usual.mirrored, other.mirrored, other.use_mode) == (False, True, 14)
+    here, there = usual.forces(4000, 0.05, 0.04, 0.02), other.forces(4000, 0.05, -0.04, -0.02)
+    assert there == pytest.approx((here.Fx, -here.Fy, -here.Mx, here.My, -here.Mz))
+    twice = text.replace("USE_MODE = 4", "USE_MODE = -4")
+    assert not MagicFormula(read_tir(written(twice)), side="right").mirrored
+
+
+def test_the_scaling_of_the_camber_moment_has_two_spellings(written):
+    file = read_tir(written(SMALL + "[SCALING]\nLKZG = 0.7\nLCZ = 1.1\n"))
+    assert (file.coefficients["LKZC"], file.coefficients["LCZ"]) == (0.7, 1.1)
 
 
 def test_comments_quotes_and_spellings_are_read(written):

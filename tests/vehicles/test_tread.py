@@ -45,6 +45,26 @@ def test_gap_and_contact_point_are_mean_and_centroid_of_the_deflection(lean):
     assert offset @ values(w, contact.forward, state) == pytest.approx(0.0, abs=1e-15)
 
 
+@pytest.mark.parametrize("lean", [0.05, -0.05, 0.3, -0.3])
+def test_the_contact_point_is_that_of_rills_equations(lean):
+    # Rill, Road Vehicle Dynamics, 2012, section 3.3: the deflections of both edges; where both
+    # touch, the centroid of a trapezoid, where one is lifted, that of a triangle.
+    w, contact = wheel_and_contact()
+    state = {**STATE, "lean": lean}
+    middle = R * np.cos(lean) - state["z"]
+    left, right = (middle - side * WIDTH / 2 * np.sin(lean) for side in (1, -1))
+    if min(left, right) > 0.0:
+        mean = (left + right) / 2
+        across = -(WIDTH**2) / 12 * np.tan(lean) / (mean / np.cos(lean))
+    else:
+        touched = max(left, right) / np.sin(abs(lean))  # of the width
+        mean = max(left, right) * touched / WIDTH / 2
+        across = -np.sign(lean) * (WIDTH / 2 - touched / 3)
+    assert values(w, contact.gap, state) == pytest.approx(-mean, rel=1e-12)
+    offset, axle = values(w, contact.contact, state), values(w, w.B.y, state)
+    assert offset @ axle == pytest.approx(across, rel=1e-12)
+
+
 @pytest.mark.parametrize("lean", LEANS)
 @pytest.mark.parametrize("height", [0.28, 0.3, 0.4])
 def test_the_rate_is_the_derivative_of_the_gap(lean, height):

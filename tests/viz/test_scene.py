@@ -199,6 +199,15 @@ def test_the_camera_follows_what_travels_far_unless_told_otherwise():
     assert framed(Scene(N, O, cart).animate(times, states / 100, symbols=[q])).path is None
 
 
+@pytest.mark.parametrize("far", [0.0, 40.0, 4000.0])
+def test_a_camera_that_follows_frames_what_travels_and_not_what_rests(far):
+    times = np.linspace(0, 10, 101)
+    cart = Visual(Sphere(0.3), O.locatenew("C", q * N.x))
+    post = Visual(Sphere(0.3), O.locatenew("P", far * N.x))
+    scene = Scene(N, O, cart, post, follow=True).animate(times, 5 * times[:, None], symbols=[q])
+    assert framed(scene).extent == pytest.approx([0.6, 0.6, 0.6])
+
+
 @pytest.mark.parametrize("unit", [1e-9, 1.0, 1e9])
 @pytest.mark.parametrize("forward", [0.0, 0.5, 50.0])
 def test_a_ball_that_bounces_stays_in_view_and_so_does_the_ground(forward, unit):

@@ -47,6 +47,8 @@ class VerticalState:
 def normal_force(m: Algebra, values: Mapping[str, Operand], state: VerticalState) -> Operand:
     """Return the normal force of spring and damper, Pacejka 2012, (A3.3) without other effects.
 
+    LCZ scales the spring, (4.E68).
+
     Q_FZ1, the slope without a load, follows from the stiffness at the nominal load:
     Q_FZ1² = (k R_0/F_z0)² − 4 Q_FZ2.
     """
@@ -57,6 +59,7 @@ def normal_force(m: Algebra, values: Mapping[str, Operand], state: VerticalState
         x = depth / c.UNLOADED_RADIUS
         slope = m.sqrt((c.VERTICAL_STIFFNESS * c.UNLOADED_RADIUS / c.FNOMIN) ** 2 - 4 * c.Q_FZ2)
         force = c.FNOMIN * (slope + c.Q_FZ2 * x) * x
+    force = c.LCZ * force
     force = m.maximum(force - c.VERTICAL_DAMPING * state.rate, 0)
     return m.where_negative(state.gap, force, 0)
 
@@ -73,4 +76,4 @@ def rolling_radius(m: Algebra, values: Mapping[str, Operand], state: LoadState) 
     c = Coefficients({name: m.constant(value) for name, value in values.items()})
     x = m.maximum(state.Fz, 0) / c.FNOMIN
     fall = c.DREFF * m.atan(c.BREFF * x) + c.FREFF * x
-    return c.UNLOADED_RADIUS * c.Q_RE0 - c.FNOMIN / c.VERTICAL_STIFFNESS * fall
+    return c.UNLOADED_RADIUS * c.Q_RE0 - c.FNOMIN / (c.LCZ * c.VERTICAL_STIFFNESS) * fall

@@ -73,7 +73,7 @@ _SPRING: dict[str, tuple[str, ...]] = {
 _NEWEST = {"overturning moment": _numbered("QSX", 12, 13, 14)}
 _SCALING = (
     "LFZO", "LMUX", "LMUY", "LCX", "LEX", "LKX", "LHX", "LVX", "LCY", "LEY", "LKY", "LHY", "LVY",
-    "LTR", "LRES", "LXAL", "LYKA", "LVYKA", "LS", "LMX", "LVMX", "LMY",
+    "LTR", "LRES", "LXAL", "LYKA", "LVYKA", "LS", "LMX", "LVMX", "LMY", "LCZ",
 )  # fmt: skip
 _SCALING_OF = {
     "5.2": ("LGAX", "LGAY", "LGAZ", "LSGKP", "LSGAL"),
@@ -103,6 +103,7 @@ DEFAULTS = {
 ALIASES = {
     "LFZ0": "LFZO",
     "LKYG": "LKYC",
+    "LKZG": "LKZC",
     "IP": "INFLPRES",
     "IP_NOM": "NOMPRES",
     "QPZ1": "PPZ1",

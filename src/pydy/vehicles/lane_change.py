@@ -14,7 +14,7 @@ import sympy as sm
 from pydy._checks import choice, instance, number, positive
 from pydy.plot import axes_of
 from pydy.system import System
-from pydy.vehicles.manoeuvres import check_name, names_of, three_names
+from pydy.vehicles.manoeuvres import check_name, coordinate_of, names_of, three_names
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -40,7 +40,11 @@ class _Lane:
 
 
 def _double_lane_change(width: float) -> list[_Lane]:
-    """Return the lanes of ISO 3888-1: 3.5 m lie between their right edges."""
+    """Return the lanes of ISO 3888-1: 3.5 m lie between their right edges.
+
+    Sections 1 to 6 are 15, 30, 25, 25, 15 and 15 m long, 125 m in all; sections 2 and 4 have no
+    cones, 5 and 6 are one lane.
+    """
     first, second, third = (factor * width + 0.25 for factor in (1.1, 1.2, 1.3))
     right = -first / 2.0
     return [
@@ -51,7 +55,10 @@ def _double_lane_change(width: float) -> list[_Lane]:
 
 
 def _obstacle_avoidance(width: float) -> list[_Lane]:
-    """Return the lanes of ISO 3888-2: 1 m lies between the left edges and the lane beside them."""
+    """Return the lanes of ISO 3888-2: 1 m lies between the left edges and the lane beside them.
+
+    Sections 1 to 5 are 12, 13.5, 11, 12.5 and 12 m long, 61 m in all.
+    """
     first, second, third = 1.1 * width + 0.25, width + 1.0, max(1.3 * width + 0.25, 3.0)
     left = first / 2.0
     return [
@@ -164,7 +171,9 @@ def lane_change(
     width : float
         Width of the car (m) without mirrors, which decides how wide the lanes are.
     track : {'ISO 3888-1', 'ISO 3888-2'}, optional
-        The double lane change, 125 m long, or the obstacle avoidance, 61 m long.
+        The double lane change, 125 m long, or the obstacle avoidance, 61 m long. For the width b,
+        the lanes are 1.1 b + 0.25 m, 1.2 b + 0.25 m and 1.3 b + 0.25 m wide, or 1.1 b + 0.25 m,
+        b + 1 m and 1.3 b + 0.25 m, at least 3 m.
     length : float, optional
         Length of the car (m). Its mass centre is taken as being in the middle.
     preview : float, optional
@@ -205,7 +214,7 @@ def lane_change(
     constants = names_of(system.constants_symbols)
     check_name(yaw_rate, "yaw_rate", states)
     check_name(speed, "speed", [*states, *constants])
-    x, y, psi = (_coordinate(system, name, k) for k, name in enumerate(three_names(position)))
+    x, y, psi = (coordinate_of(system, name, k) for k, name in enumerate(three_names(position)))
     internal = [name for name in names_of(system.coordinates) if name not in position]
     values = system.initial_conditions if speed in states else system.constants
     u = positive(values.get(speed, 0.0), f"The initial value of {speed}")
@@ -242,12 +251,6 @@ def lane_change(
     )
 
 
-def _coordinate(system: System, name: Any, k: int) -> Any:
-    names = names_of(system.coordinates)
-    check_name(name, f"position[{k}]", names)
-    return system.coordinates[names.index(name)]
-
-
 def _between(value: Any, least: float, most: float) -> sm.Expr:
     return sm.Max(least, sm.Min(value, most, evaluate=False), evaluate=False)
 
@@ -270,7 +273,8 @@ def _steering_gain(
     system: System, steering: str, speed: str, yaw_rate: str, internal: list[str], u: float
 ) -> float:
     """Return the steering angle for each curvature of the linearised car in steady turns."""
-    linear = system.linearize(inputs=[steering])
+    # At its initial state a car may slow down, by rolling resistance: no equilibrium is asked for.
+    linear = system.linearize(at={}, inputs=[steering])
     # Of the other states, the path follows; what loads and tires follow is steady, too.
     driving = [*names_of(system.speeds), *internal]
     free = [name for name in driving if name != speed and name in linear.states]

@@ -12,7 +12,7 @@ from pydy._names import nearest, some
 from pydy.vehicles.algebra import checked_quantity, is_symbolic
 from pydy.vehicles.coefficients import ALL_NAMES, DEFAULTS, VERSIONS
 from pydy.vehicles.equations import FORMS, FormulaVariant
-from pydy.vehicles.tir import TireFile
+from pydy.vehicles.tir import OTHER_FITTYP, TireFile
 
 # What each use mode computes: longitudinal, lateral, combined.
 MODES = {0: (), 1: ("x",), 2: ("y",), 3: ("x", "y"), 4: ("x", "y", "combined")}
@@ -55,7 +55,7 @@ def checked_values(
     checked = {
         name: checked_quantity(value, f"`{name}`", arrays=False) for name, value in values.items()
     }
-    for name in ("FNOMIN", "UNLOADED_RADIUS", "LFZO", "LONGVL", "VXLOW"):
+    for name in ("FNOMIN", "UNLOADED_RADIUS", "LFZO", "LCZ", "LONGVL", "VXLOW"):
         value = checked[name]
         if is_symbolic(value) or value > 0.0:
             continue
@@ -144,20 +144,26 @@ def version_of(version: str | None, file: TireFile | None) -> str:
     if file is None:
         return "6.1"
     if file.version is None:
+        kind = file.coefficients.get("FITTYP")
+        named = "" if kind is None else f" (FITTYP = {kind:g}{OTHER_FITTYP.get(kind, '')})"
         raise ValueError(
-            f"{file.path} is for another tire model than the Magic Formula of these versions: "
-            f"{', '.join(VERSIONS)}. Say which one its coefficients belong to: `version=`."
+            f"{file.path} is for another tire model{named} than the Magic Formula of these "
+            f"versions: {', '.join(VERSIONS)}. Say which one its coefficients belong to: "
+            "`version=`."
         )
     return file.version
 
 
 def use_mode_of(use_mode: int | None, file: TireFile | None) -> int:
-    """Return a use mode; turn slip (5) is not among what can be computed, and is left away."""
+    """Return a use mode; turn slip (5) is not among what can be computed, and is left away.
+
+    The sign of a file's mode, which mirrors the tire, is not part of it.
+    """
     if use_mode is None:
-        mode = file.use_mode if file and file.use_mode is not None else 4
+        mode = abs(file.use_mode) if file and file.use_mode is not None else 4
         if mode % 10 == 5:
             mode -= 1
-        if mode < 0 or mode % 10 not in MODES:
+        if mode % 10 not in MODES:
             raise ValueError(
                 f"{file.path if file else 'The file'} has the unknown use mode {mode}. Choose a "
                 "`use_mode` of 0 to 4."

@@ -89,11 +89,13 @@ class MagicFormula(TireEquations):
     use_mode : int, optional
         What is computed: 0 no forces, 1 F_x and M_y, 2 F_y, M_x and M_z, 3 all of pure slip, 4 all
         of combined slip. Further digits are for transients (14 is 4 with relaxation), which
-        `relaxation_lengths` is for. By default that of the file, otherwise 4.
+        `relaxation_lengths` is for. By default that of the file, otherwise 4. That of a file may be
+        negative: the tire is mirrored then.
     combined : {'coefficients', 'ellipse', 'none'}, optional
         How combined slip reduces the forces: by the coefficients R…, the default; by friction
         ellipses as in Adams, which need none; or not at all, so that both forces can be at their
-        largest together. Without the coefficients a choice must be made.
+        largest together. Without the coefficients a choice must be made. But for the last, the
+        trail becomes shorter with κ.
     slip : {'tangent', 'angle'}, optional
         Whether tan α and sin γ enter the equations, or α and γ; by default as `equations` says,
         and ``'angle'`` for the older versions.
@@ -188,7 +190,8 @@ class MagicFormula(TireEquations):
         self._form = form
         measured = file.side if file else None
         self.side = measured if side is None else choice(side, ("left", "right"), "`side`")
-        self.mirrored = None not in (measured, self.side) and measured != self.side
+        other = None not in (measured, self.side) and measured != self.side
+        self.mirrored = other != (file is not None and (file.use_mode or 0) < 0)
         self.use_mode = use_mode_of(use_mode, file)
         names = names_of(self.version)
         spelled = {ALIASES.get(str(name), str(name)): value for name, value in given.items()}
@@ -311,8 +314,8 @@ class MagicFormula(TireEquations):
 
         Its spring has VERTICAL_STIFFNESS k; with Q_FZ2, of the versions 6.1 and 6.2, it is the
         parabola F_z0 (Q_FZ1 ρ/R_0 + Q_FZ2 (ρ/R_0)²) of the deflection ρ, with the slope k at F_z0.
-        A damper, VERTICAL_DAMPING, is parallel to it. Effects of speed, of pressure and of the
-        other forces are left out.
+        LCZ scales the spring. A damper, VERTICAL_DAMPING, is parallel to it. Effects of speed, of
+        pressure and of the other forces are left out.
 
         Parameters
         ----------
@@ -341,8 +344,8 @@ class MagicFormula(TireEquations):
 
             R_e = R_0 Q_RE0 − F_z0/k (D_reff atan(B_reff F_z/F_z0) + F_reff F_z/F_z0)
 
-        of BREFF, DREFF and FREFF, and k = VERTICAL_STIFFNESS. Q_RE0, of the versions 6.1 and 6.2,
-        is 1 if it is missing. The growth of the tire with its speed is left out.
+        of BREFF, DREFF and FREFF, and k = LCZ VERTICAL_STIFFNESS. Q_RE0, of the versions 6.1 and
+        6.2, is 1 if it is missing. The growth of the tire with its speed is left out.
 
         Parameters
         ----------
@@ -389,12 +392,16 @@ class MagicFormula(TireEquations):
         Fy = y.force if y else 0
         weight, induced, with_kappa = 1, 0, None
         if "combined" in parts and x is not None and y is not None:
+            alone = s.form.uncambered and s.form.upright_weight  # the weight without camber
             if self.combined == "coefficients":
                 weight, induced, with_kappa = lateral_weight(s), induced_side_force(s, y), x
                 Fx, Fy = Fx * longitudinal_weight(s), Fy * weight + induced
+                weight = lateral_weight(s, upright=True) if alone else weight
             elif self.combined == "ellipse":
-                weight_x, weight = ellipse_weights(s, x, y)
+                (weight_x, weight), with_kappa = ellipse_weights(s, x, y), x
                 Fx, Fy = Fx * weight_x, Fy * weight
+                if alone:
+                    _, weight = ellipse_weights(s, x, lateral(s, upright=True))
         Mx = My = Mz = 0
         if "y" in parts and "overturning moment" not in self._absent:
             Mx = overturning_moment(s, Fy)

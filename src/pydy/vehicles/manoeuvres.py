@@ -375,3 +375,10 @@ def check_name(name: Any, argument: str, known: Sequence[str]) -> None:
     """Refuse what is none of the known names."""
     if not isinstance(name, str) or name not in known:
         raise ValueError(f"`{argument}` must be one of {some(known)}, got {shown(name)}.")
+
+
+def coordinate_of(system: System, name: Any, k: int) -> Any:
+    """Return a coordinate by its name, which is the k-th of `position`."""
+    names = names_of(system.coordinates)
+    check_name(name, f"position[{k}]", names)
+    return system.coordinates[names.index(name)]

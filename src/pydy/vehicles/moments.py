@@ -75,7 +75,8 @@ def aligning_moment(
 ) -> Operand:
     """Return the aligning moment M_z, (4.E31) to (4.E49) and (4.E71) to (4.E78).
 
-    With `x` of None, of pure side slip; then `induced` is 0 and `weight` is 1.
+    With `x` of None, of pure side slip; then `induced` is 0 and `weight` is 1. The weight is that
+    of the side force without camber, in forms that have it.
     """
     m, c, dfz = s.m, s.c, s.dfz
     camber = s.camber * c.LGAZ
@@ -99,8 +100,6 @@ def aligning_moment(
     trail = D * curve(m, m.cos, C, E, B * alpha_t) * s.cos_alpha
     side_force = Fy - induced
     if s.form.uncambered:
-        if s.form.upright_weight and x is not None:
-            weight = lateral_weight(s, upright=True)
         side_force = weight * lateral(s, upright=True).force
     moment = -trail * side_force + _residual(s, y, camber, alpha_r, stiffness)
     if x is not None:

@@ -29,9 +29,13 @@ _OF_FORMAT = {
     "MF_62": "6.2",
     "MF62": "6.2",
 }
-_OF_FITTYP = {5: "5.2", 6: "5.2", 21: "5.2", 51: "5.2", 52: "5.2", 60: "6.1", 61: "6.1", 62: "6.2"}
+_OF_FITTYP = {5: "5.2", 6: "5.2", 21: "5.2", 60: "6.1", 61: "6.1", 62: "6.2"}
+# Tires of motorcycles: other equations of the side force and of camber, partly by the same names.
+OTHER_FITTYP = {51.0: ", MF-MCTyre 1.0", 52.0: ", MF-MCTyre 1.1"}
 # Formats without a FITTYP that have other equations under names that are partly the same.
-_OTHER_MODELS = re.compile(r"PAC_?MC|PAC_?(89|94|96)|FIALA|FTIRE|5\.2\.1|UA|CDTIRE|RMOD|TMEASY")
+_OTHER_MODELS = re.compile(
+    r"PAC_?MC|MF_?MC(_?TYRE)?|PAC_?(89|94|96)|FIALA|FTIRE|5\.2\.1|UA|CDTIRE|RMOD|TMEASY"
+)
 
 
 @dataclass(frozen=True)
@@ -285,6 +289,8 @@ def _version(words: dict[str, Any], coefficients: dict[str, float]) -> str | Non
         return _OF_FITTYP[int(kind)]
     if name in _OF_FORMAT:
         return _OF_FORMAT[name]
+    if kind is not None:
+        return None
     if _OTHER_MODELS.fullmatch(name):
         return None
     return next(_guesses(coefficients), None)

@@ -72,7 +72,11 @@ def frame(animation: Animation, settings: ViewSettings) -> Framing:
     follow = settings.follow
     if follow is None:
         follow = np.linalg.norm(high - low) > 3 * np.linalg.norm(far - near)
-    if follow:
+    if follow:  # what travels is framed, however far away things at rest are
+        moving = [animation.items[k].reach(rows) for k in followed(animation.items)]
+        if moving:
+            relative = np.stack(moving) - path[rows, None]
+            near, far = relative[:, :, 0].min((0, 1)), relative[:, :, 1].max((0, 1))
         low, high = near, far
     extent = high - low
     if not extent.any():

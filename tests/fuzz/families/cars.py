@@ -29,6 +29,7 @@ from pydy.vehicles import (
     step_steer,
 )
 from pydy.vehicles.machines import aerodynamic_loads, differential_torques, motor_torque
+from pydy.vehicles.scenes import car_scene
 
 _FIELDS = {
     "mass": 1500.0, "yaw_inertia": 2500.0, "front": 1.2, "rear": 1.5,
@@ -345,6 +346,34 @@ for _name in ("steering", "speed", "yaw_rate"):
     @target(f"lane_change.{_name}", _names)
     def _(v, name=_name):
         return _change(**{name: v})
+
+
+def _drawn(**arguments: Any) -> Any:
+    return str(car_scene(**{"system": _system(), "car": _car, **arguments}))
+
+
+for _name in ("width", "length"):
+
+    @target(f"car_scene.{_name}", _positive)
+    def _(v, name=_name):
+        return _drawn(**{name: v})
+
+
+for _name in ("system", "car", "position"):
+
+    @target(f"car_scene.{_name}", _things)
+    def _(v, name=_name):
+        return _drawn(**{name: v})
+
+
+@target("car_scene.change", nothing("texts", "symbols", allowed=one_of(None)))
+def _(v):
+    return _drawn(change=v)
+
+
+@target("car_scene.steering", _names)
+def _(v):
+    return _drawn(steering=v)
 
 
 @cache
