@@ -1,10 +1,11 @@
-"""Single-track models of cars against CommonRoad's package, which writes them out in Python.
+"""Models of cars against CommonRoad's package, which writes them out in Python.
 
 `pydy.vehicles.commonroad_car` and commonroad-vehicle-models: derivatives along four manoeuvres of
 each car, their trajectories, and evaluations per second of processor time: of one state for each
 call from Python, and of 4,096 states in one call here; trajectories by DOP853 of SciPy there. Fails
 where derivatives or trajectories differ by more than 1e-6 of the size of a quantity, which is taken
-as at least one.
+as at least one. A motion of MB is compared until a wheel that has stopped starts again, which it
+never does there; a column has that time.
 """
 
 from __future__ import annotations
@@ -27,7 +28,14 @@ from pydy.vehicles import CARS, commonroad_car
 
 TOLERANCE = 1e-6
 SPEED, MANY = 15.0, 4096
-PATIENCE = 5.0  # s, until code is compiled for the last time
+STOPPED = 1e-3  # rad/s, of a wheel
+# The states of MB in the order of the other package.
+MB = (
+    *("x", "y", "delta", "u", "psi", "r", "phi", "p", "theta", "q", "v", "z", "w"),
+    *("phi_f", "p_f", "v_f", "z_f", "w_f", "phi_r", "p_r", "v_r", "z_r", "w_r"),
+    *("omega_fl", "omega_fr", "omega_rl", "omega_rr", "y_f", "y_r"),
+)
+PATIENCE = 15.0  # s, until code is compiled for the last time
 TIMES = np.linspace(0.0, 1.0, 21)
 # The steering rate (rad/s) and the acceleration (m/s²), constant for one second.
 MANOEUVRES = {
@@ -44,9 +52,13 @@ class Ours:
     def __init__(self, vehicle: str, model: str) -> None:
         self.model = model
         self.system = commonroad_car(vehicle, model, speed=SPEED)
+        names = [str(state).removesuffix("(t)") for state in self.system.states]
+        self.order = [names.index(name) for name in MB] if model == "MB" else []
 
     def _theirs(self, x: np.ndarray) -> np.ndarray:
-        """Return x, y, δ, v, ψ, ψ', β, and the speeds of the wheels for STD."""
+        """Return x, y, δ, v, ψ, ψ', β, and the speeds of the wheels for STD; `MB`."""
+        if self.model == "MB":
+            return x[..., self.order]
         if self.model == "ST":
             return x[..., [0, 1, 2, 5, 3, 6, 4]]
         u, v = x[..., 4], x[..., 5]
@@ -55,7 +67,7 @@ class Ours:
         return np.stack([*columns, x[..., 7], x[..., 8]], axis=-1)
 
     def _their_rates(self, x: np.ndarray, dx: np.ndarray) -> np.ndarray:
-        if self.model == "ST":
+        if self.model != "STD":
             return self._theirs(dx)
         result, (u, v), (du, dv) = self._theirs(dx), x[:, [4, 5]].T, dx[:, [4, 5]].T
         result[:, 3] = (u * du + v * dv) / np.hypot(u, v)
@@ -63,12 +75,17 @@ class Ours:
         return result
 
     def motion(self, inputs: tuple[float, float]) -> tuple[np.ndarray, np.ndarray]:
-        """Return the states along a manoeuvre and their derivatives."""
+        """Return the states along a manoeuvre and their derivatives, as far as models agree."""
         r = dict(zip(("v_delta", "a_long"), inputs, strict=True))
         self.system.specifieds = r
         self.system.times = TIMES
         x = self.system.simulate(rtol=1e-11, atol=1e-11).states
-        return self._theirs(x), self._their_rates(x, self.system.evaluate_ode(x, TIMES))
+        if self.model == "MB":
+            spins = x[:, [k for k, name in zip(self.order, MB, strict=True) if "omega" in name]]
+            stopped = np.logical_or.accumulate(spins < STOPPED, axis=0)
+            again = (stopped & (spins > STOPPED)).any(axis=1)
+            x = x[: int(np.argmax(again)) or None]
+        return self._theirs(x), self._their_rates(x, self.system.evaluate_ode(x, TIMES[: len(x)]))
 
     def prepare(self) -> None:
         """Compile what `seconds` calls, the faster code that follows later included."""
@@ -109,21 +126,22 @@ def main() -> None:
     with Worker(
         "commonroad", options.peer_python, "commonroad.py", timeout=options.timeout
     ) as worker:
-        for (number, vehicle), model in product(enumerate(CARS, 1), ("ST", "STD")):
+        for (number, vehicle), model in product(enumerate(CARS, 1), ("ST", "STD", "MB")):
             ours = Ours(vehicle, model)
             about: dict[str, Any] = {"vehicle": number, "model": model}
             for name, inputs in MANOEUVRES.items():
                 states, rates = ours.motion(inputs)
                 asked = {**about, "inputs": inputs}
                 their_rates = worker.ask("rates", states=states.tolist(), **asked)
-                start, times = states[0].tolist(), TIMES.tolist()
+                start, times = states[0].tolist(), TIMES[: len(states)].tolist()
                 motion = worker.ask("motion", start=start, times=times, **asked)
                 pair = [
                     difference(rates, np.array(their_rates)),
                     difference(states, np.array(motion)),
                 ]
                 worst = max(worst, *pair)
-                agreement.append([vehicle, model, name, *(f"{value:.0e}" for value in pair)])
+                until = f"{times[-1]:.2f}"
+                agreement.append([vehicle, model, name, *(f"{v:.0e}" for v in pair), until])
             ours.motion(MANOEUVRES["cornering"])  # whose inputs stay
             ours.prepare()
             asked = {**about, "state": states[0].tolist(), "inputs": MANOEUVRES["cornering"]}
@@ -139,7 +157,7 @@ def main() -> None:
             ]
             speed.append([vehicle, model, *(f"{ratio:.0f}" for ratio in ratios)])
     save("vehicle_models", {"agreement": agreement, "speed": speed})
-    header = ("car", "model", "manoeuvre", "derivatives", "trajectory")
+    header = ("car", "model", "manoeuvre", "derivatives", "trajectory", "until (s)")
     table("Largest relative differences", header, agreement)
     header = ("car", "model", "one state a call", f"{MANY} states a call", "trajectory")
     table("How many times faster than CommonRoad's, by processor time", header, speed)

@@ -358,7 +358,7 @@ def test_methods_of_system_document_and_call():
 DATA = (
     *("pydy._backends.llvm.sincos", "pydy.solvers.tableaus", "pydy.examples"),
     "pydy._backends.llvm.arctangent",
-    "pydy.vehicles.commonroad",
+    *("pydy.vehicles.cars", "pydy.vehicles.commonroad.tires"),
 )
 DEFAULTS = ("pydy.solvers.options", "pydy.export.fmu")
 

@@ -1,4 +1,4 @@
-"""The single-track models of the package commonroad-vehicle-models."""
+"""The models of the package commonroad-vehicle-models."""
 
 from __future__ import annotations
 
@@ -7,11 +7,12 @@ from typing import Any
 import numpy as np
 from harness.serve import processor_time, serve
 from scipy.integrate import solve_ivp
+from vehiclemodels.vehicle_dynamics_mb import vehicle_dynamics_mb
 from vehiclemodels.vehicle_dynamics_st import vehicle_dynamics_st
 from vehiclemodels.vehicle_dynamics_std import vehicle_dynamics_std
 from vehiclemodels.vehicle_parameters import setup_vehicle_parameters
 
-MODELS = {"ST": vehicle_dynamics_st, "STD": vehicle_dynamics_std}
+MODELS = {"ST": vehicle_dynamics_st, "STD": vehicle_dynamics_std, "MB": vehicle_dynamics_mb}
 
 
 def rates(

@@ -4,7 +4,7 @@ from .cars import (
     DoubleTrackCar as DoubleTrackCar,
     SingleTrackCar as SingleTrackCar,
 )
-from .commonroad import commonroad_car as commonroad_car
+from .commonroad.car import commonroad_car as commonroad_car
 from .double_track import double_track as double_track
 from .fit import TireFit as TireFit, fit_tire as fit_tire
 from .forces import TireForces as TireForces

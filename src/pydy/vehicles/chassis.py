@@ -44,9 +44,19 @@ class Chassis:
         return self.G.locatenew(name, forward * self.B.x + left * self.B.y)
 
     def wheel(
-        self, name: str, forward: Any, left: Any, steering: Any, radius: Any, inertia: Any
+        self,
+        name: str,
+        forward: Any,
+        left: Any,
+        steering: Any,
+        radius: Any,
+        inertia: Any,
+        sideways: Any = 0,
     ) -> Wheel:
-        """Return a wheel of this body that spins with a speed of its own, ω_name."""
+        """Return a wheel of this body that spins with a speed of its own, ω_name.
+
+        Its side slip has the speed `sideways`, by the roll of an axle, in addition.
+        """
         point = self.point(name, forward, left)
         spin = me.dynamicsymbols(f"omega_{name}")
         # In the plane, only the inertia about the axle matters, whichever way that is steered.
@@ -57,7 +67,8 @@ class Chassis:
         ahead, aside = self.u - self.r * left, self.v + self.r * forward
         cos, sin = sm.cos(steering), sm.sin(steering)
         speed = ahead * cos + aside * sin
-        size = sm.Max(sm.Abs(speed), LOWEST_SPEED, evaluate=False)
+        aside += sideways
+        rolling = ahead * cos + aside * sin
         return Wheel(
             body,
             point,
@@ -67,8 +78,8 @@ class Chassis:
             cos * self.B.y - sin * self.B.x,
             self.B.y,
             speed,
-            (radius * spin - speed) / size,
-            sm.atan((aside * cos - ahead * sin) / size),
+            (radius * spin - speed) / _size(speed),
+            sm.atan((aside * cos - ahead * sin) / _size(rolling)),
         )
 
 
@@ -99,3 +110,8 @@ class Wheel:
             (self.point, force),
             (self.body.frame, (torque - self.radius * Fx) * self.axle),
         ]
+
+
+def _size(speed: sm.Expr) -> sm.Expr:
+    """Return the speed that slips are relative to."""
+    return sm.Max(sm.Abs(speed), LOWEST_SPEED, evaluate=False)

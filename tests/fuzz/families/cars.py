@@ -74,7 +74,7 @@ def _(v):
     return str(commonroad_car(v))
 
 
-@target("commonroad_car.model", choice("ST", "STD"))
+@target("commonroad_car.model", choice("ST", "STD", "MB"))
 def _(v):
     return str(commonroad_car("bmw_320i", v))
 

@@ -1,0 +1,1 @@
+"""The models of CommonRoad: two with a single track, and one of several bodies."""
