@@ -9,7 +9,7 @@ import numpy as np
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 from fuzz.families.tires import _amount as amount, _inputs as inputs
-from fuzz.kinds import Kind, RefusedError, array, choice, nothing, real
+from fuzz.kinds import Kind, RefusedError, array, choice, integer, nothing, real
 from fuzz.table import flags, one_of, plotted, target
 from pydy.system import System
 from pydy.vehicles import (
@@ -28,7 +28,20 @@ from pydy.vehicles import (
     steady_turn,
     step_steer,
 )
-from pydy.vehicles.machines import aerodynamic_loads, differential_torques, motor_torque
+from pydy.vehicles.machines import (
+    aerodynamic_loads,
+    anti_roll_bar_loads,
+    brake,
+    bushing_loads,
+    clutch,
+    clutch_capacity,
+    differential_torques,
+    gear_ratio,
+    gear_torque,
+    motor_torque,
+    power_limited_torque,
+    torsion_bar_stiffness,
+)
 
 _FIELDS = {
     "mass": 1500.0, "yaw_inertia": 2500.0, "front": 1.2, "rear": 1.5,
@@ -291,6 +304,175 @@ for _name, _kind in (("speeds", _ascending), ("torques", _numbers)):
     @target(f"motor_torque.{_name}", _kind)
     def _(v, name=_name):
         return motor_torque(0.5, **{"speeds": [0.0, 1.0], "torques": [2.0, 3.0], name: v})
+
+
+@target("power_limited_torque.speed", inputs)
+def _(v):
+    return str(power_limited_torque(v, 2.0, 3.0))
+
+
+for _name in ("torque", "power", "ratio"):
+
+    @target(f"power_limited_torque.{_name}", amount(above=0.0))
+    def _(v, name=_name):
+        return str(power_limited_torque(1.0, **{"torque": 2.0, "power": 3.0, name: v}))
+
+
+@target("gear_ratio.gear", inputs)
+def _(v):
+    return str(gear_ratio(v, [3.0, 2.0]))
+
+
+@target(
+    "gear_ratio.ratios",
+    array((None,), check=lambda a: len(a) and (np.isfinite(a) & (a != 0.0)).all()),
+)
+def _(v):
+    return gear_ratio(1, v)
+
+
+@target("gear_ratio.final", _positive)
+def _(v):
+    return gear_ratio(1, [2.0], final=v)
+
+
+for _name in ("torque", "speed", "ratio"):
+
+    @target(f"gear_torque.{_name}", inputs)
+    def _(v, name=_name):
+        return str(gear_torque(**{"torque": 1.0, "speed": 2.0, "ratio": 3.0, name: v}))
+
+
+for _name, _kind in {
+    "efficiency": amount(above=0.0, most=1.0),
+    "transition": amount(above=0.0),
+}.items():
+
+    @target(f"gear_torque.{_name}", _kind)
+    def _(v, name=_name):
+        return str(gear_torque(1.0, 2.0, 3.0, **{name: v}))
+
+
+_friction = {"capacity": amount(least=0.0), "static_ratio": amount(least=1.0)}
+
+for _name, _kind in {"driving": amount(), "driven": amount(), **_friction}.items():
+
+    @target(f"clutch.{_name}", _kind)
+    def _(v, name=_name):
+        w = dynamicsymbols("w1 w2")
+        return str(clutch(**{"driving": w[0], "driven": w[1], "capacity": 5.0, name: v}))
+
+
+for _name, _kind in {"speed": amount(), **_friction}.items():
+
+    @target(f"brake.{_name}", _kind)
+    def _(v, name=_name):
+        return str(brake(**{"speed": dynamicsymbols("w"), "capacity": 5.0, name: v}))
+
+
+_label = Kind(lambda v: _nonempty(v), ("common", "texts"))
+
+
+def _nonempty(value: Any) -> str:
+    if not isinstance(value, str) or not value:
+        raise RefusedError
+    return str(value)
+
+
+@target("clutch.name", _label)
+def _(v):
+    return clutch(*dynamicsymbols("w1 w2"), 5.0, name=v).name
+
+
+@target("brake.name", _label)
+def _(v):
+    return brake(dynamicsymbols("w"), 5.0, name=v).name
+
+
+_LINING = {"force": 1e3, "friction": 0.3, "inner": 0.1, "outer": 0.2}
+
+for _name, _kind in {
+    "force": amount(least=0.0),
+    "friction": amount(least=0.0),
+    "inner": amount(above=0.0, below=0.2),
+    "outer": amount(above=0.1),
+}.items():
+
+    @target(f"clutch_capacity.{_name}", _kind)
+    def _(v, name=_name):
+        return str(clutch_capacity(**{**_LINING, name: v}))
+
+
+@target("clutch_capacity.faces", integer(1))
+def _(v):
+    return clutch_capacity(**_LINING, faces=v)
+
+
+@target("clutch_capacity.worn", flags)
+def _(v):
+    return clutch_capacity(**_LINING, worn=v)
+
+
+_BAR = {"diameter": 0.02, "length": 1.0, "arm": 0.2}
+
+for _name, _kind in {
+    "diameter": amount(above=0.0),
+    "length": amount(above=0.0),
+    "arm": amount(above=0.0),
+    "shear_modulus": amount(above=0.0),
+    "inner_diameter": amount(least=0.0, below=0.02),
+}.items():
+
+    @target(f"torsion_bar_stiffness.{_name}", _kind)
+    def _(v, name=_name):
+        return str(torsion_bar_stiffness(**{**_BAR, name: v}))
+
+
+@cache
+def _ends() -> Any:
+    N, O = ReferenceFrame("N"), Point("O")
+    O.set_vel(N, 0)
+    left = O.locatenew("L", dynamicsymbols("z") * N.z)
+    return {"left": left, "right": O, "up": N.z, "body": N, "stiffness": 2.0}
+
+
+for _name in ("left", "right", "up", "body"):
+
+    @target(f"anti_roll_bar_loads.{_name}", _things)
+    def _(v, name=_name):
+        return str(anti_roll_bar_loads(**{**_ends(), name: v}))
+
+
+@target("anti_roll_bar_loads.stiffness", amount(least=0.0))
+def _(v):
+    return str(anti_roll_bar_loads(**{**_ends(), "stiffness": v}))
+
+
+def _bushing(**arguments: Any) -> Any:
+    N, O = ReferenceFrame("N"), Point("O")
+    O.set_vel(N, 0)
+    pair = (N, O)
+    return str(bushing_loads(**{"first": pair, "second": pair, "frame": N, **arguments}))
+
+
+for _name in ("first", "second", "frame"):
+
+    @target(f"bushing_loads.{_name}", _things)
+    def _(v, name=_name):
+        return _bushing(**{name: v})
+
+
+def _three(value: Any) -> Any:
+    if not isinstance(value, (tuple, list)) or len(value) != 3:
+        raise RefusedError
+    return [amount(least=0.0).read(entry) for entry in value]
+
+
+for _name in ("stiffness", "damping", "torsional_stiffness", "torsional_damping"):
+
+    @target(f"bushing_loads.{_name}", Kind(_three, _common, compare=False))
+    def _(v, name=_name):
+        return _bushing(**{name: v})
 
 
 @cache
