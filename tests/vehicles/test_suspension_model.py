@@ -57,7 +57,9 @@ def quarter_car(suspension, force, *, arms=(0.0, 0.0), damping=0.0, free=True):
             "camber": -sm.asin(model.axis.dot(N.z)),
             "length": model.spring_length,
             "kinetic": me.kinetic_energy(N, *bodies),
-            "height": sum(b.mass * p.pos_from(O).dot(N.z) for b, (p, _) in zip(bodies, weights, strict=True)),
+            "height": sum(
+                b.mass * p.pos_from(O).dot(N.z) for b, (p, _) in zip(bodies, weights, strict=True)
+            ),
             "gap": contact.gap,
         },
     )  # fmt: skip
@@ -119,9 +121,11 @@ def test_the_natural_frequencies_of_a_quarter_car_are_those_of_two_masses():
 @pytest.mark.parametrize("suspension", [WISHBONE, SPATIAL["strut"]], ids=["wishbone", "strut"])
 def test_the_static_load_of_the_wheel_follows_from_virtual_work(suspension):
     # On a fixed body the wheel rests where F MR and the weights balance the tire's force.
-    law = lambda x, v: 3000.0 + 30e3 * x  # noqa: E731
+    def law(x, v):
+        return 3000.0 + 30e3 * x
+
     system, _ = quarter_car(suspension, law, free=False)
-    balance = system.find_equilibrium([s for s in system.coordinates[:4]])
+    balance = system.find_equilibrium(list(system.coordinates[:4]))
     system.initial_conditions = balance.state
     outputs = dict(zip(map(str, system.outputs), system.evaluate_outputs(), strict=True))
     curves = suspension.curves([outputs["travel"]], 0.3)

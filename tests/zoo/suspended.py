@@ -33,8 +33,8 @@ SPATIAL = {
         spring_inner=(0, 0.5, 0.65), spring_outer=(0, 0.6, 0.2), camber=-0.01, toe=0.003,
     ),
     "strut": McPherson(
-        lower_front=(0.15, 0.35, 0.2), lower_rear=(-0.15, 0.35, 0.22), lower_outer=(0.01, 0.7, 0.18),
-        strut_top=(-0.02, 0.58, 0.85), strut_bottom=(0, 0.64, 0.4),
+        lower_front=(0.15, 0.35, 0.2), lower_rear=(-0.15, 0.35, 0.22),
+        lower_outer=(0.01, 0.7, 0.18), strut_top=(-0.02, 0.58, 0.85), strut_bottom=(0, 0.64, 0.4),
         tie_rod_inner=(-0.12, 0.38, 0.26), tie_rod_outer=(-0.12, 0.68, 0.25),
         wheel_center=(0, 0.75, 0.3), camber=-0.01, toe=0.003,
     ),

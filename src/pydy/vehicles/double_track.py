@@ -166,6 +166,7 @@ def double_track(
 
 
 def two_areas(areas: Any) -> list[float]:
+    """Return the areas of both axles that a user gave for the downforce."""
     if not isinstance(areas, (list, tuple)) or len(areas) != 2:
         raise TypeError(
             f"`downforce_areas` must be a pair, of the front and the rear axle, got {areas!r}."

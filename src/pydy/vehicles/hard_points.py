@@ -13,7 +13,6 @@ from pydy._checks import choice, number, real_array, shown
 from pydy._rank import ROUNDED
 
 if TYPE_CHECKING:
-    import sympy as sm
     from sympy.physics.mechanics import Point, ReferenceFrame
 
     from pydy._sympy_types import Expression
@@ -94,7 +93,7 @@ class Suspension(ABC):
     @property
     @abstractmethod
     def spring_ends(self) -> tuple[str, str, str]:
-        """What carries the moving end of the spring, and the names of this end and the fixed one."""
+        """The part with the moving end of the spring, and the names of both ends."""
 
     @property
     def side(self) -> int:
@@ -214,7 +213,8 @@ class Suspension(ABC):
 
     def moved(self, name: str, outer: Coordinates, rotation: Coordinates) -> Coordinates:
         """Return a point of the upright, which has turned about the lower ball joint."""
-        return outer + rotation @ (getattr(self, name) - self.lower_outer)
+        point: Coordinates = outer + rotation @ (getattr(self, name) - self.lower_outer)
+        return point
 
     def _length_error(
         self, name: str, inner: str, outer: Coordinates, rotation: Coordinates, rack: Any = 0
@@ -308,7 +308,7 @@ class DoubleWishbone(Suspension):
 
     @property
     def spring_ends(self) -> tuple[str, str, str]:
-        """What carries the moving end of the spring, and the names of this end and the fixed one."""
+        """The part with the moving end of the spring, and the names of both ends."""
         return self.spring_on, "spring_outer", "spring_inner"
 
     def closure(self, outer: Coordinates, rotation: Coordinates, rack: Any = 0) -> list[Any]:
@@ -372,14 +372,14 @@ class McPherson(Suspension):
 
     @property
     def spring_ends(self) -> tuple[str, str, str]:
-        """What carries the moving end of the spring, and the names of this end and the fixed one."""
+        """The part with the moving end of the spring, and the names of both ends."""
         return "upright", "strut_bottom", "strut_top"
 
     def closure(self, outer: Coordinates, rotation: Coordinates, rack: Any = 0) -> list[Any]:
         """Return distances of the mount from the strut's axis, and the error of the tie rod."""
-        along = self.strut_top - self.strut_bottom
-        normals = orthogonal_to(along)
-        apart = self.strut_top - self.moved("strut_bottom", outer, rotation)
+        top = np.asarray(self.strut_top)
+        normals = orthogonal_to(top - np.asarray(self.strut_bottom))
+        apart = top - self.moved("strut_bottom", outer, rotation)
         return [
             *((rotation @ normal) @ apart for normal in normals),
             self._length_error("tie_rod_outer", "tie_rod_inner", outer, rotation, rack),
@@ -414,7 +414,8 @@ class Hinge:
 
     def outer(self, cos: Any, sin: Any) -> Coordinates:
         """Return the outer point where the arm has turned."""
-        return self.foot + self.radius * cos + np.cross(self.axis, self.radius) * sin
+        point: Coordinates = self.foot + self.radius * cos
+        return point + np.cross(self.axis, self.radius) * sin
 
 
 def orthogonal_to(direction: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

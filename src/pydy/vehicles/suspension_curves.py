@@ -128,7 +128,9 @@ class _Mechanism:
                 )
                 for way in (1.0, -1.0)
             )
-            centre = moved + turned @ (self.points.wheel_center - self.points.lower_outer)
+            centre = moved + turned @ (
+                np.asarray(self.points.wheel_center) - np.asarray(self.points.lower_outer)
+            )
             columns.append([*((ahead - behind) / 2), centre[2]])
         return np.array(columns).T, motions
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -297,10 +297,9 @@ class _Parts:
         axle = self.hard.axis
         hub = self._upright
         if axle[1] != 1.0:
-            ahead, above = orthogonal_to(axle)
+            ahead, _above = orthogonal_to(axle)
             hub = ReferenceFrame(f"{self.name}_hub")
             hub.orient_explicit(self._upright, _matrix([ahead, axle, np.cross(ahead, axle)]).T)
-            del above
         q, u = self.coordinate("spin")
         frame = ReferenceFrame(f"{self.name}_wheel")
         frame.orient_axis(hub, hub.y, q)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cache
 from typing import Any
 
@@ -42,6 +43,13 @@ from pydy.vehicles.machines import (
     power_limited_torque,
     torsion_bar_stiffness,
 )
+from pydy.vehicles.suspensions import (
+    SPRUNG_AXLES,
+    SprungAxles,
+    sprung_double_track,
+)
+from zoo import inertial_frame
+from zoo.suspended import SPATIAL
 
 _FIELDS = {
     "mass": 1500.0, "yaw_inertia": 2500.0, "front": 1.2, "rear": 1.5,
@@ -567,3 +575,133 @@ def _(v):
 @target("SteadyTurn.plot.ax", _ax)
 def _(v):
     return str(plotted(_turns().plot, v))
+
+
+_AXLES = SPRUNG_AXLES["bmw_320i"]
+
+for _name in SprungAxles.__dataclass_fields__:
+    _may_vanish = _name.endswith(("damping", "bar"))
+
+    @target(f"SprungAxles.{_name}", _not_negative if _may_vanish else _positive)
+    def _(v, name=_name):
+        return repr(replace(_AXLES, **{name: v}))
+
+
+@target("sprung_double_track.car", _things)
+def _(v):
+    return str(sprung_double_track(v, _AXLES))
+
+
+@target("sprung_double_track.axles", _things)
+def _(v):
+    return str(sprung_double_track(_car, v))
+
+
+# Each model takes seconds to derive: what is accepted is read by `double_track` in the same way.
+@target("sprung_double_track.tires", nothing("texts", "symbols"))
+def _(v):
+    if v is None:
+        raise ValueError("`tires` are linear by default.")
+    return str(sprung_double_track(_car, _AXLES, v))
+
+
+@target("sprung_double_track.differential", nothing("texts", "symbols"))
+def _(v):
+    return str(sprung_double_track(_car, _AXLES, differential=v))
+
+
+for _name in ("speed", "drag_area", "downforce_areas"):
+
+    @target(f"sprung_double_track.{_name}", nothing("texts", "symbols"))
+    def _(v, name=_name):
+        return str(sprung_double_track(_car, _AXLES, **{name: v}))
+
+
+_point = array((3,), check=lambda a: np.isfinite(a).all())
+_angle = Kind(real(above=-np.pi / 2, below=np.pi / 2).read, ("common", "numbers"), compare=False)
+
+for _suspension in SPATIAL.values():
+    _class = type(_suspension).__name__
+    for _name in type(_suspension).__dataclass_fields__:
+        if _name != "spring_on":
+
+            @target(f"{_class}.{_name}", _angle if _name in ("camber", "toe") else _point)
+            def _(v, name=_name, suspension=_suspension):
+                return repr(replace(suspension, **{name: v}))
+
+
+@target("DoubleWishbone.spring_on", choice("lower_arm", "upright"))
+def _(v):
+    return replace(SPATIAL["wishbone"], spring_on=v).spring_on
+
+
+_strut = SPATIAL["strut"]
+
+
+def _travels(value: Any) -> Any:
+    try:
+        return [real(least=-0.05, most=0.05).read(value)]
+    except RefusedError:
+        return array((None,), check=lambda a: len(a) and (np.abs(a) <= 0.05).all()).read(value)
+
+
+@target("McPherson.curves.travel", Kind(_travels, _common, compare=False))
+def _(v):
+    return _strut.curves(v, 0.3).camber
+
+
+@target("McPherson.curves.radius", _positive)
+def _(v):
+    return _strut.curves(0.01, v).camber
+
+
+@target("McPherson.curves.rack", Kind(real(least=-0.02, most=0.02).read, _common, compare=False))
+def _(v):
+    return _strut.curves(0.01, 0.3, rack=v).camber
+
+
+@target("SuspensionCurves.plot.ax", _ax)
+def _(v):
+    return str(plotted(_strut.curves(0.01, 0.3).plot, v))
+
+
+def _build(**arguments: Any) -> str:
+    N, O = inertial_frame()
+    usual = {
+        "body": N, "origin": O, "frame": N, "name": "fl", "upright_mass": 1.0,
+        "upright_inertia": (1, 1, 1), "wheel_mass": 1.0, "wheel_inertia": (1, 1),
+    }  # fmt: skip
+    return repr(_strut.build(**{**usual, **arguments}))
+
+
+for _name in ("body", "origin", "frame", "force"):
+    _none = one_of(None) if _name == "force" else None
+
+    @target(f"McPherson.build.{_name}", nothing("texts", allowed=_none) if _none else _things)
+    def _(v, name=_name):
+        return _build(**{name: v})
+
+
+@target("McPherson.build.name", _label)
+def _(v):
+    return _build(name=v)
+
+
+for _name, _kind in {
+    "upright_mass": amount(least=0.0),
+    "wheel_mass": amount(least=0.0),
+    "upright_inertia": Kind(_three, _common, compare=False),
+    "wheel_inertia": Kind(lambda v: _pair(v), _common, compare=False),
+    "arm_masses": nothing("texts"),
+    "rack": amount(),
+}.items():
+
+    @target(f"McPherson.build.{_name}", _kind)
+    def _(v, name=_name):
+        return _build(**{name: v})
+
+
+def _pair(value: Any) -> Any:
+    if not isinstance(value, (tuple, list)) or len(value) != 2:
+        raise RefusedError
+    return [amount(least=0.0).read(entry) for entry in value]
