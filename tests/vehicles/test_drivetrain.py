@@ -7,7 +7,14 @@ import sympy.physics.mechanics as me
 
 from pydy import System
 from pydy.mechanics import Definition
-from pydy.vehicles.machines import aerodynamic_loads, differential_torques, motor_torque
+from pydy.vehicles.machines import (
+    aerodynamic_loads,
+    differential_torques,
+    gear_ratio,
+    gear_torque,
+    motor_torque,
+    power_limited_torque,
+)
 
 SPEEDS, TORQUES = [100.0, 300.0, 500.0, 900.0], [80.0, 120.0, 120.0, 20.0]
 
@@ -97,3 +104,81 @@ def test_laws_of_a_differential_are_checked():
         differential_torques(1.0, 2.0, 3.0, bias=1.5)
     with pytest.raises(ValueError, match="`preload` must not be negative"):
         differential_torques(1.0, 2.0, 3.0, preload=-1.0)
+
+
+def test_the_power_of_a_motor_is_constant_above_its_base_speed():
+    omega = np.linspace(-200.0, 200.0, 401)
+    torque = power_limited_torque(omega, 250.0, 80e3, ratio=8.0)
+    above = np.abs(omega) > 40.0
+    assert torque[above] * np.abs(omega[above]) == pytest.approx(80e3)
+    assert torque[~above] == pytest.approx(2000.0)
+
+
+def test_a_car_of_constant_power_gains_the_energy_that_the_motor_gives():
+    # m u u' = P: u² = u_0² + 2 P t/m.
+    x, u = me.dynamicsymbols("x u")
+    N, O = me.ReferenceFrame("N"), me.Point("O")
+    O.set_vel(N, 0)
+    P = O.locatenew("P", x * N.x)
+    P.set_vel(N, u * N.x)
+    force = power_limited_torque(u / 0.3, 200.0, 60e3, ratio=9.0) / 0.3
+    car = Definition(N, [x], [u], bodies=[me.Particle("car", P, 1200.0)], loads=[(P, force * N.x)])
+    system = System(
+        car, ode_solver="dop853", initial_conditions={u: 15.0}, times=np.linspace(0.0, 10.0, 5)
+    )
+    motion = system.simulate(rtol=1e-11, atol=1e-11)
+    assert motion["u"] == pytest.approx(np.sqrt(225.0 + 2 * 60e3 / 1200.0 * motion.times), rel=1e-9)
+
+
+def test_each_gear_has_its_ratio():
+    gears = np.array([-1.0, 0.0, 1.0, 2.0, 2.4, 3.0, 9.0])
+    expected = [0.0, 0.0, 14.0, 8.0, 8.0, -4.0, -4.0]
+    assert gear_ratio(gears, [3.5, 2.0, -1.0], final=4.0) == pytest.approx(expected)
+    gear = sm.Symbol("gear")
+    ratio = gear_ratio(gear, [3.5, 2.0, -1.0], final=4.0)
+    assert [float(ratio.subs(gear, g)) for g in gears] == pytest.approx(expected)
+    with pytest.raises(ValueError, match="`ratios` must be finite numbers that are not zero"):
+        gear_ratio(1, [3.5, 0.0])
+
+
+@pytest.mark.parametrize("torque", [80.0, -80.0, 0.0])
+@pytest.mark.parametrize("ratio", [6.0, -3.0])
+def test_a_gear_gives_less_power_than_it_receives(torque, ratio):
+    speeds = np.linspace(-1.0, 1.0, 81)
+    outside = gear_torque(torque, speeds, ratio, efficiency=0.9)
+    given, taken = torque * ratio * speeds, outside * speeds
+    assert (given - taken >= -1e-12 * abs(torque)).all()
+    turning = np.abs(speeds) >= 0.1
+    driving = turning & (given > 0)
+    assert taken[driving] == pytest.approx(0.9 * given[driving])
+    driven = turning & (given < 0)
+    assert 0.9 * taken[driven] == pytest.approx(given[driven])
+    assert gear_torque(torque, 5.0, ratio) == ratio * torque
+    T, omega = sm.symbols("T omega")
+    law = gear_torque(T, omega, ratio, efficiency=0.9)
+    values = [float(law.subs({T: torque, omega: w})) for w in speeds]
+    assert values == pytest.approx(list(outside))
+
+
+def test_an_efficiency_above_one_is_refused():
+    with pytest.raises(ValueError, match=r"`efficiency` must be at most 1, got 1\.2"):
+        gear_torque(1.0, 2.0, 3.0, efficiency=1.2)
+
+
+def test_behind_a_gear_the_inertia_of_the_motor_counts_by_the_square_of_the_ratio():
+    q, w = me.dynamicsymbols("q1 q2"), me.dynamicsymbols("w1 w2")
+    N, O = me.ReferenceFrame("N"), me.Point("O")
+    O.set_vel(N, 0)
+    bodies = []
+    for k, inertia in enumerate((0.05, 3.0)):
+        W = me.ReferenceFrame(f"W{k}")
+        W.orient_axis(N, N.x, q[k])
+        W.set_ang_vel(N, w[k] * N.x)
+        bodies.append(me.RigidBody(f"shaft{k}", O, W, 1, (me.inertia(W, inertia, 1, 1), O)))
+    gear = Definition(
+        N, q, w, bodies=bodies, loads=[(bodies[0].frame, 40.0 * N.x)],
+        nonholonomic_constraints=[w[0] - gear_ratio(2, [12.0, 7.0]) * w[1]],
+    )  # fmt: skip
+    rates = System(gear).evaluate_ode([0.0, 0.0, 7.0, 1.0])
+    assert rates[3] == pytest.approx(7.0 * 40.0 / (3.0 + 49.0 * 0.05), rel=1e-12)
+    assert rates[2] == pytest.approx(7.0 * rates[3], rel=1e-12)

@@ -7,8 +7,8 @@ lost factor shows.
 Further ones, by subject: `by_hand` (equations formed from bodies), `joints` (SymPy's), `loops`
 (redundant constraints), `singular` (badly scaled or singular ones), `circle`, `hoop`, `rolling`,
 `ziegler`, `ball`, `touching` (contacts), `tires`, `pictured` (without shapes), `exported_models`,
-`ensemble_cases`. `cases` makes a System of a model, and `graphs` (beside this folder) a Program
-without a mechanical system.
+`ensemble_cases`, `suspended` (hard points). `cases` makes a System of a model, and `graphs` (beside
+this folder) a Program without a mechanical system.
 """
 
 from collections.abc import Callable

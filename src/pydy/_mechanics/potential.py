@@ -35,6 +35,7 @@ from pydy._mechanics.frame_tree import FrameTree, distances, given_velocity, ste
 from pydy._mechanics.frames import orthogonality_residuals
 from pydy._mechanics.reader import InputReader
 from pydy._mechanics.symbols import find_symbols, replace_symbols
+from pydy._mechanics.tuning import INTEGRABLE
 from pydy._mechanics.verify_potential import ACROSS, has_momenta_of, is_potential_of
 from pydy._mechanics.work import forces_of_power, has_quotients
 from pydy._rank import ROUNDED
@@ -576,6 +577,8 @@ class _PotentialSearch:
 def _primitive(force: sm.Expr, x: sm.Symbol) -> sm.Expr | None:
     """Return a continuous integral over x, or None if SymPy finds none."""
     if force.has(*_SWITCHED):
+        if sm.count_ops(force) > INTEGRABLE:
+            return None  # SymPy tries all rules for each interval, without an end in sight
         force = sm.piecewise_fold(force.rewrite(sm.Piecewise))
     try:
         integral = sm.integrate(force, x, manual=True)

@@ -53,6 +53,11 @@ LIGHT, LIGHTEST = 2e-7, 1e-4
 three digits of the dependent speeds' derivatives are lost. The second applies if pivots are not
 checked, since the equations of the independent speeds lose twice as many."""
 
+INTEGRABLE = 1000
+"""Largest number of operations of a force with switches that SymPy integrates. Those of a stop or
+a tire have some tens; the force of a tire in the coordinates of a suspension has thousands, on
+which SymPy spends more than ten minutes."""
+
 READABLE = 2000
 """Largest number of terms that are expanded for printing: an arm of three joints in space, with all
 moments and products of inertia, has some hundreds."""

@@ -11,6 +11,8 @@ forms of the linear one. `step_steer`, `steady_turn` and `lane_change` are manoe
 System. `commonroad_car` has models of the CommonRoad benchmarks. `double_track` makes a System of a
 car with four wheels that spin, `car_trailer` one with a trailer. `pydy.vehicles.machines` has
 motors, differentials and the air for models of your own, `pydy.vehicles.scenes` pictures of cars.
+motors, gears, clutches, bushings and the air for models of your own, `pydy.vehicles.suspensions`
+hard points, quarter cars and a car on springs.
 """
 
 import lazy_loader

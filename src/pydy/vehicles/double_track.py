@@ -19,7 +19,7 @@ from pydy.vehicles.forces import Tire
 from pydy.vehicles.linear import LinearTire
 from pydy.vehicles.single_track import tires_of_axles
 
-_WHEELS = ("fl", "fr", "rl", "rr")
+WHEELS = ("fl", "fr", "rl", "rr")
 
 
 def double_track(
@@ -87,8 +87,8 @@ def double_track(
     speed = positive(speed, "`speed`", finite=True)
     kind = choice(differential, ("open", "locked"), "`differential`")
     drag = positive(drag_area, "`drag_area`", zero=True, finite=True)
-    areas = _areas(downforce_areas)
-    front_tire, rear_tire = tires_of_axles(tires) or _linear_tires(car)
+    areas = two_areas(downforce_areas)
+    front_tire, rear_tire = tires_of_axles(tires) or linear_tires(car)
     lag = positive(lag, "`lag`", finite=True)
 
     u, delta, T_drive, T_brake = me.dynamicsymbols("u delta T_drive T_brake")
@@ -107,7 +107,7 @@ def double_track(
     force = me.Vector(0)
     wheels: list[Wheel] = []
     outputs: dict[str, Any] = {"beta": sm.atan(chassis.v / u)}
-    names = iter(_WHEELS)
+    names = iter(WHEELS)
     for (forward, track, steering, load, share, tire), (driven, braked) in zip(
         axles, shares, strict=True
     ):
@@ -145,7 +145,7 @@ def double_track(
         bodies=[chassis.body, *(wheel.body for wheel in wheels)],
         loads=acting,
         kinematic_equations=[*chassis.kinematic_equations, *following],
-        nonholonomic_constraints=_locked(car, spins) if kind == "locked" else (),
+        nonholonomic_constraints=locked_axles(car, spins) if kind == "locked" else (),
     )
     constants = {
         m: car.mass, inertia: car.yaw_inertia, a: car.front, b: car.rear, h: car.height, g: GRAVITY,
@@ -165,7 +165,8 @@ def double_track(
     )
 
 
-def _areas(areas: Any) -> list[float]:
+def two_areas(areas: Any) -> list[float]:
+    """Return the areas of both axles that a user gave for the downforce."""
     if not isinstance(areas, (list, tuple)) or len(areas) != 2:
         raise TypeError(
             f"`downforce_areas` must be a pair, of the front and the rear axle, got {areas!r}."
@@ -176,7 +177,7 @@ def _areas(areas: Any) -> list[float]:
     ]
 
 
-def _linear_tires(car: DoubleTrackCar) -> tuple[LinearTire, LinearTire]:
+def linear_tires(car: DoubleTrackCar) -> tuple[LinearTire, LinearTire]:
     """Return tires with half of the stiffnesses of an axle at their static loads."""
     per_length = car.mass * GRAVITY / car.wheelbase / 2.0
     return (
@@ -185,7 +186,7 @@ def _linear_tires(car: DoubleTrackCar) -> tuple[LinearTire, LinearTire]:
     )
 
 
-def _locked(car: DoubleTrackCar, spins: list[sm.Expr]) -> list[sm.Expr]:
+def locked_axles(car: DoubleTrackCar, spins: list[sm.Expr]) -> list[sm.Expr]:
     """Return the constraints of the driven axles."""
     constraints = []
     if car.front_drive_share > 0.0:

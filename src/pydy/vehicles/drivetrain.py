@@ -1,4 +1,4 @@
-"""What drives wheels: the torque of a motor over its speed, and how a differential divides it."""
+"""What drives wheels: motors, gears, and how a differential divides a torque."""
 
 from __future__ import annotations
 
@@ -8,7 +8,13 @@ from typing import Any
 import numpy as np
 
 from pydy._checks import positive, real_array, shown
-from pydy.vehicles.algebra import Operand, Quantity, algebra_of, checked_quantity
+from pydy.vehicles.algebra import (
+    Operand,
+    Quantity,
+    algebra_of,
+    checked_quantity,
+    is_symbolic,
+)
 from pydy.vehicles.forces import checked_parameters, direction
 
 
@@ -76,6 +82,161 @@ def _table(speeds: Any, torques: Any) -> tuple[list[float], list[float]]:
     return nodes.tolist(), values.tolist()
 
 
+def power_limited_torque(
+    speed: Quantity, torque: Quantity, power: Quantity, *, ratio: Quantity = 1.0
+) -> Quantity:
+    """Return the largest torque of an electric motor, limited by a torque and by a power.
+
+    At the shaft, behind a gear with the ratio i, it is min(i T, P/|ω|): constant up to the base
+    speed P/(i T) of the shaft, then at constant power.
+
+    Parameters
+    ----------
+    speed : number, array or expression
+        Angular speed ω of the shaft (rad/s), in either direction.
+    torque : number or expression
+        T (N m), the largest torque of the motor.
+    power : number or expression
+        P (W), its largest power.
+    ratio : number or expression, optional
+        i, the speed of the motor by that of the shaft, positive.
+
+    Returns
+    -------
+    number, array or expression
+        Torque (N m), not negative. Multiply it by a share of the load from −1 to 1.
+
+    References
+    ----------
+    R. Rajamani, Vehicle Dynamics and Control, 2nd ed., Springer, 2012, chapter 4, for the balance
+    of torques along a drivetrain.
+
+    Examples
+    --------
+    >>> from pydy.vehicles.machines import power_limited_torque
+    >>> power_limited_torque(20.0, 250.0, 80e3, ratio=8.0)
+    2000.0
+    >>> power_limited_torque(80.0, 250.0, 80e3, ratio=8.0)
+    1000.0
+    """
+    omega = checked_quantity(speed, "`speed`")
+    limits = {"torque": torque, "power": power, "ratio": ratio}
+    values = checked_parameters(limits, positive=tuple(limits))
+    m = algebra_of(omega, *values.values())
+    T, P, i = (m.constant(values[name]) for name in limits)
+    turning = m.constant(omega) if m.symbolic and not is_symbolic(omega) else omega
+    result: Operand = P / m.maximum(m.abs(turning), P / (i * T))
+    return result if m.symbolic or isinstance(omega, np.ndarray) else float(result)
+
+
+def gear_ratio(gear: Quantity, ratios: Sequence[float], *, final: float = 1.0) -> Quantity:
+    """Return the ratio of a gearbox in a gear, with the final drive.
+
+    Gears are numbered from 1; the nearest one is engaged, the last one beyond it. Below ½ the
+    gearbox is in neutral: its ratio is 0, and so are the torque at its output and the speed of a
+    motor that follows it.
+
+    Parameters
+    ----------
+    gear : number, array or expression
+        Such as a specified that a driver sets.
+    ratios : sequence of float
+        Speed of the input by that of the output in each gear, not zero; negative for reverse.
+    final : float, optional
+        Ratio of the final drive, positive.
+
+    Returns
+    -------
+    number, array or expression
+        i, the speed of the motor by that of the driven shaft.
+
+    Examples
+    --------
+    >>> from pydy.vehicles.machines import gear_ratio
+    >>> gear_ratio(2, [3.5, 2.0, 1.3, 1.0], final=4.0)
+    8.0
+    >>> gear_ratio(0, [3.5, 2.0, 1.3, 1.0], final=4.0)
+    0.0
+    """
+    selected = checked_quantity(gear, "`gear`")
+    steps = real_array(ratios, "`ratios`")
+    if steps.ndim != 1 or not len(steps) or not (np.isfinite(steps) & (steps != 0.0)).all():
+        raise ValueError(f"`ratios` must be finite numbers that are not zero, got {shown(ratios)}.")
+    last = positive(final, "`final`", finite=True)
+    m = algebra_of(selected)
+    values = [0.0, *(steps * last).tolist()]
+    result: Operand = values[-1]
+    for k in reversed(range(len(steps))):
+        result = m.where_negative(selected - (k + 0.5), values[k], result)
+    return result if m.symbolic or isinstance(selected, np.ndarray) else float(result)
+
+
+def gear_torque(
+    torque: Quantity,
+    speed: Quantity,
+    ratio: Quantity,
+    *,
+    efficiency: Quantity = 1.0,
+    transition: Quantity = 0.1,
+) -> Quantity:
+    """Return the torque at the output of a gear, with its losses in either direction of the power.
+
+    With the ratio i, the efficiency η and the speed ω of the output ::
+
+        T_out = i T η    if i T ω > 0: the motor drives
+        T_out = i T/η    if i T ω < 0: it is driven
+
+    so that a gear never gives more power than it receives.
+
+    Parameters
+    ----------
+    torque : number, array or expression
+        T (N m), at the input.
+    speed : number, array or expression
+        ω (rad/s), of the output.
+    ratio : number, array or expression
+        i, the speed of the input by that of the output.
+    efficiency : number or expression, optional
+        η, above 0 and up to 1.
+    transition : number or expression, optional
+        Speed of the output (rad/s) below which the losses fade, so that the torque is continuous.
+
+    Returns
+    -------
+    number, array or expression
+        T_out (N m).
+
+    References
+    ----------
+    M. Guiggiani, The Science of Vehicle Dynamics, 2nd ed., Springer, 2018, section 3.13, for the
+    efficiency of a differential, which is that of any gear.
+
+    Examples
+    --------
+    >>> from pydy.vehicles.machines import gear_torque
+    >>> gear_torque(100.0, 50.0, 8.0, efficiency=0.95)
+    760.0
+    """
+    inputs = {"torque": torque, "speed": speed, "ratio": ratio}
+    T, omega, i = (checked_quantity(value, f"`{name}`") for name, value in inputs.items())
+    law = checked_parameters(
+        {"efficiency": efficiency, "transition": transition}, positive=("efficiency", "transition")
+    )
+    if isinstance(law["efficiency"], float) and law["efficiency"] > 1.0:
+        raise ValueError(f"`efficiency` must be at most 1, got {law['efficiency']!r}.")
+    m = algebra_of(T, omega, i, *law.values())
+    if m.symbolic:
+        T, omega, i = (m.constant(value) for value in (T, omega, i))
+    eta, smooth = m.constant(law["efficiency"]), m.constant(law["transition"])
+    ideal = i * T
+    # Both losses vanish with ω and with T, so that the jump of their coefficient changes nothing.
+    lost = m.where_negative(ideal * omega, 1 / eta - 1, 1 - eta)
+    result: Operand = ideal - m.abs(ideal) * direction(m, omega / smooth) * lost
+    if m.symbolic or any(isinstance(value, np.ndarray) for value in (T, omega, i)):
+        return result
+    return float(result)
+
+
 def differential_torques(
     torque: Quantity,
     left: Quantity,
@@ -94,7 +255,9 @@ def differential_torques(
         T_l = (T − T_s)/2    T_r = (T + T_s)/2    T_s = (T_0 + b |T|) sgn Δ + c Δ
 
     Without T_0, b and c the differential is open. A locked one is a constraint, ω_l − ω_r = 0,
-    among the `nonholonomic_constraints` of a Definition.
+    among the `nonholonomic_constraints` of a Definition. Plates that lock and slip without a
+    `transition` are a `clutch` between the shafts of an open differential, with half of the torque
+    that they transfer: ``clutch(left, right, (preload + bias*Abs(torque))/2)``.
 
     Parameters
     ----------

@@ -1,10 +1,36 @@
-"""Machines of vehicles: the torque of a motor, a differential, and the air.
+"""Machines of vehicles: motors, gears, clutches, brakes, bushings, anti-roll bars, and the air.
 
-`motor_torque` and `differential_torques` take numbers, arrays and expressions; `aerodynamic_loads`
-makes the load of a `pydy.mechanics.Definition`.
+Laws take numbers, arrays and expressions: `motor_torque` and `power_limited_torque`, `gear_ratio`
+and `gear_torque`, `differential_torques`. `clutch` and `brake` are dry friction that locks, for
+`pydy.contact.Contacts`. `bushing_loads`, `anti_roll_bar_loads` and `aerodynamic_loads` make loads
+of a `pydy.mechanics.Definition`.
+
+Gears without losses and locked differentials are constraints among the
+`nonholonomic_constraints` of a Definition: ω_in − i ω_out = 0 and ω_l − ω_r = 0.
 """
 
 from pydy.vehicles.aerodynamics import aerodynamic_loads
-from pydy.vehicles.drivetrain import differential_torques, motor_torque
+from pydy.vehicles.bushings import anti_roll_bar_loads, bushing_loads, torsion_bar_stiffness
+from pydy.vehicles.clutches import brake, clutch, clutch_capacity
+from pydy.vehicles.drivetrain import (
+    differential_torques,
+    gear_ratio,
+    gear_torque,
+    motor_torque,
+    power_limited_torque,
+)
 
-__all__ = ["aerodynamic_loads", "differential_torques", "motor_torque"]
+__all__ = [
+    "aerodynamic_loads",
+    "anti_roll_bar_loads",
+    "brake",
+    "bushing_loads",
+    "clutch",
+    "clutch_capacity",
+    "differential_torques",
+    "gear_ratio",
+    "gear_torque",
+    "motor_torque",
+    "power_limited_torque",
+    "torsion_bar_stiffness",
+]

@@ -31,3 +31,8 @@ COARSEST_DIGIT = 1e-2
 """Largest last digit of places in files, relative to the spacing, by which places that are rounded
 to it may differ from even ones: thirds of a metre are 0.333 and 0.667. With fewer digits places at
 1, 2 and 4 could not be told from even ones."""
+
+POSITIONS_PER_ARM = 16
+"""Number of positions by which a suspension is followed while its wheel travels by the length of an
+arm. An arm turns by about a sixteenth of a radian between them, for which Newton's method takes
+three steps; too few would let it reach another branch of the closed loop."""

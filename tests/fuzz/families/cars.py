@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cache
 from typing import Any
 
@@ -9,7 +10,7 @@ import numpy as np
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 from fuzz.families.tires import _amount as amount, _inputs as inputs
-from fuzz.kinds import Kind, RefusedError, array, choice, nothing, real
+from fuzz.kinds import Kind, RefusedError, array, choice, integer, nothing, real
 from fuzz.table import flags, one_of, plotted, target
 from pydy.system import System
 from pydy.vehicles import (
@@ -30,6 +31,27 @@ from pydy.vehicles import (
 )
 from pydy.vehicles.machines import aerodynamic_loads, differential_torques, motor_torque
 from pydy.vehicles.scenes import car_scene
+from pydy.vehicles.machines import (
+    aerodynamic_loads,
+    anti_roll_bar_loads,
+    brake,
+    bushing_loads,
+    clutch,
+    clutch_capacity,
+    differential_torques,
+    gear_ratio,
+    gear_torque,
+    motor_torque,
+    power_limited_torque,
+    torsion_bar_stiffness,
+)
+from pydy.vehicles.suspensions import (
+    SPRUNG_AXLES,
+    SprungAxles,
+    sprung_double_track,
+)
+from zoo import inertial_frame
+from zoo.suspended import SPATIAL
 
 _FIELDS = {
     "mass": 1500.0, "yaw_inertia": 2500.0, "front": 1.2, "rear": 1.5,
@@ -294,6 +316,175 @@ for _name, _kind in (("speeds", _ascending), ("torques", _numbers)):
         return motor_torque(0.5, **{"speeds": [0.0, 1.0], "torques": [2.0, 3.0], name: v})
 
 
+@target("power_limited_torque.speed", inputs)
+def _(v):
+    return str(power_limited_torque(v, 2.0, 3.0))
+
+
+for _name in ("torque", "power", "ratio"):
+
+    @target(f"power_limited_torque.{_name}", amount(above=0.0))
+    def _(v, name=_name):
+        return str(power_limited_torque(1.0, **{"torque": 2.0, "power": 3.0, name: v}))
+
+
+@target("gear_ratio.gear", inputs)
+def _(v):
+    return str(gear_ratio(v, [3.0, 2.0]))
+
+
+@target(
+    "gear_ratio.ratios",
+    array((None,), check=lambda a: len(a) and (np.isfinite(a) & (a != 0.0)).all()),
+)
+def _(v):
+    return gear_ratio(1, v)
+
+
+@target("gear_ratio.final", _positive)
+def _(v):
+    return gear_ratio(1, [2.0], final=v)
+
+
+for _name in ("torque", "speed", "ratio"):
+
+    @target(f"gear_torque.{_name}", inputs)
+    def _(v, name=_name):
+        return str(gear_torque(**{"torque": 1.0, "speed": 2.0, "ratio": 3.0, name: v}))
+
+
+for _name, _kind in {
+    "efficiency": amount(above=0.0, most=1.0),
+    "transition": amount(above=0.0),
+}.items():
+
+    @target(f"gear_torque.{_name}", _kind)
+    def _(v, name=_name):
+        return str(gear_torque(1.0, 2.0, 3.0, **{name: v}))
+
+
+_friction = {"capacity": amount(least=0.0), "static_ratio": amount(least=1.0)}
+
+for _name, _kind in {"driving": amount(), "driven": amount(), **_friction}.items():
+
+    @target(f"clutch.{_name}", _kind)
+    def _(v, name=_name):
+        w = dynamicsymbols("w1 w2")
+        return str(clutch(**{"driving": w[0], "driven": w[1], "capacity": 5.0, name: v}))
+
+
+for _name, _kind in {"speed": amount(), **_friction}.items():
+
+    @target(f"brake.{_name}", _kind)
+    def _(v, name=_name):
+        return str(brake(**{"speed": dynamicsymbols("w"), "capacity": 5.0, name: v}))
+
+
+_label = Kind(lambda v: _nonempty(v), ("common", "texts"))
+
+
+def _nonempty(value: Any) -> str:
+    if not isinstance(value, str) or not value:
+        raise RefusedError
+    return str(value)
+
+
+@target("clutch.name", _label)
+def _(v):
+    return clutch(*dynamicsymbols("w1 w2"), 5.0, name=v).name
+
+
+@target("brake.name", _label)
+def _(v):
+    return brake(dynamicsymbols("w"), 5.0, name=v).name
+
+
+_LINING = {"force": 1e3, "friction": 0.3, "inner": 0.1, "outer": 0.2}
+
+for _name, _kind in {
+    "force": amount(least=0.0),
+    "friction": amount(least=0.0),
+    "inner": amount(above=0.0, below=0.2),
+    "outer": amount(above=0.1),
+}.items():
+
+    @target(f"clutch_capacity.{_name}", _kind)
+    def _(v, name=_name):
+        return str(clutch_capacity(**{**_LINING, name: v}))
+
+
+@target("clutch_capacity.faces", integer(1))
+def _(v):
+    return clutch_capacity(**_LINING, faces=v)
+
+
+@target("clutch_capacity.worn", flags)
+def _(v):
+    return clutch_capacity(**_LINING, worn=v)
+
+
+_BAR = {"diameter": 0.02, "length": 1.0, "arm": 0.2}
+
+for _name, _kind in {
+    "diameter": amount(above=0.0),
+    "length": amount(above=0.0),
+    "arm": amount(above=0.0),
+    "shear_modulus": amount(above=0.0),
+    "inner_diameter": amount(least=0.0, below=0.02),
+}.items():
+
+    @target(f"torsion_bar_stiffness.{_name}", _kind)
+    def _(v, name=_name):
+        return str(torsion_bar_stiffness(**{**_BAR, name: v}))
+
+
+@cache
+def _ends() -> Any:
+    N, O = ReferenceFrame("N"), Point("O")
+    O.set_vel(N, 0)
+    left = O.locatenew("L", dynamicsymbols("z") * N.z)
+    return {"left": left, "right": O, "up": N.z, "body": N, "stiffness": 2.0}
+
+
+for _name in ("left", "right", "up", "body"):
+
+    @target(f"anti_roll_bar_loads.{_name}", _things)
+    def _(v, name=_name):
+        return str(anti_roll_bar_loads(**{**_ends(), name: v}))
+
+
+@target("anti_roll_bar_loads.stiffness", amount(least=0.0))
+def _(v):
+    return str(anti_roll_bar_loads(**{**_ends(), "stiffness": v}))
+
+
+def _bushing(**arguments: Any) -> Any:
+    N, O = ReferenceFrame("N"), Point("O")
+    O.set_vel(N, 0)
+    pair = (N, O)
+    return str(bushing_loads(**{"first": pair, "second": pair, "frame": N, **arguments}))
+
+
+for _name in ("first", "second", "frame"):
+
+    @target(f"bushing_loads.{_name}", _things)
+    def _(v, name=_name):
+        return _bushing(**{name: v})
+
+
+def _three(value: Any) -> Any:
+    if not isinstance(value, (tuple, list)) or len(value) != 3:
+        raise RefusedError
+    return [amount(least=0.0).read(entry) for entry in value]
+
+
+for _name in ("stiffness", "damping", "torsional_stiffness", "torsional_damping"):
+
+    @target(f"bushing_loads.{_name}", Kind(_three, _common, compare=False))
+    def _(v, name=_name):
+        return _bushing(**{name: v})
+
+
 @cache
 def _moving() -> Any:
     N, P = ReferenceFrame("N"), Point("P")
@@ -414,3 +605,133 @@ def _(v):
 @target("SteadyTurn.plot.ax", _ax)
 def _(v):
     return str(plotted(_turns().plot, v))
+
+
+_AXLES = SPRUNG_AXLES["bmw_320i"]
+
+for _name in SprungAxles.__dataclass_fields__:
+    _may_vanish = _name.endswith(("damping", "bar"))
+
+    @target(f"SprungAxles.{_name}", _not_negative if _may_vanish else _positive)
+    def _(v, name=_name):
+        return repr(replace(_AXLES, **{name: v}))
+
+
+@target("sprung_double_track.car", _things)
+def _(v):
+    return str(sprung_double_track(v, _AXLES))
+
+
+@target("sprung_double_track.axles", _things)
+def _(v):
+    return str(sprung_double_track(_car, v))
+
+
+# Each model takes seconds to derive: what is accepted is read by `double_track` in the same way.
+@target("sprung_double_track.tires", nothing("texts", "symbols"))
+def _(v):
+    if v is None:
+        raise ValueError("`tires` are linear by default.")
+    return str(sprung_double_track(_car, _AXLES, v))
+
+
+@target("sprung_double_track.differential", nothing("texts", "symbols"))
+def _(v):
+    return str(sprung_double_track(_car, _AXLES, differential=v))
+
+
+for _name in ("speed", "drag_area", "downforce_areas"):
+
+    @target(f"sprung_double_track.{_name}", nothing("texts", "symbols"))
+    def _(v, name=_name):
+        return str(sprung_double_track(_car, _AXLES, **{name: v}))
+
+
+_point = array((3,), check=lambda a: np.isfinite(a).all())
+_angle = Kind(real(above=-np.pi / 2, below=np.pi / 2).read, ("common", "numbers"), compare=False)
+
+for _suspension in SPATIAL.values():
+    _class = type(_suspension).__name__
+    for _name in type(_suspension).__dataclass_fields__:
+        if _name != "spring_on":
+
+            @target(f"{_class}.{_name}", _angle if _name in ("camber", "toe") else _point)
+            def _(v, name=_name, suspension=_suspension):
+                return repr(replace(suspension, **{name: v}))
+
+
+@target("DoubleWishbone.spring_on", choice("lower_arm", "upright"))
+def _(v):
+    return replace(SPATIAL["wishbone"], spring_on=v).spring_on
+
+
+_strut = SPATIAL["strut"]
+
+
+def _travels(value: Any) -> Any:
+    try:
+        return [real(least=-0.05, most=0.05).read(value)]
+    except RefusedError:
+        return array((None,), check=lambda a: len(a) and (np.abs(a) <= 0.05).all()).read(value)
+
+
+@target("McPherson.curves.travel", Kind(_travels, _common, compare=False))
+def _(v):
+    return _strut.curves(v, 0.3).camber
+
+
+@target("McPherson.curves.radius", _positive)
+def _(v):
+    return _strut.curves(0.01, v).camber
+
+
+@target("McPherson.curves.rack", Kind(real(least=-0.02, most=0.02).read, _common, compare=False))
+def _(v):
+    return _strut.curves(0.01, 0.3, rack=v).camber
+
+
+@target("SuspensionCurves.plot.ax", _ax)
+def _(v):
+    return str(plotted(_strut.curves(0.01, 0.3).plot, v))
+
+
+def _build(**arguments: Any) -> str:
+    N, O = inertial_frame()
+    usual = {
+        "body": N, "origin": O, "frame": N, "name": "fl", "upright_mass": 1.0,
+        "upright_inertia": (1, 1, 1), "wheel_mass": 1.0, "wheel_inertia": (1, 1),
+    }  # fmt: skip
+    return repr(_strut.build(**{**usual, **arguments}))
+
+
+for _name in ("body", "origin", "frame", "force"):
+    _none = one_of(None) if _name == "force" else None
+
+    @target(f"McPherson.build.{_name}", nothing("texts", allowed=_none) if _none else _things)
+    def _(v, name=_name):
+        return _build(**{name: v})
+
+
+@target("McPherson.build.name", _label)
+def _(v):
+    return _build(name=v)
+
+
+for _name, _kind in {
+    "upright_mass": amount(least=0.0),
+    "wheel_mass": amount(least=0.0),
+    "upright_inertia": Kind(_three, _common, compare=False),
+    "wheel_inertia": Kind(lambda v: _pair(v), _common, compare=False),
+    "arm_masses": nothing("texts"),
+    "rack": amount(),
+}.items():
+
+    @target(f"McPherson.build.{_name}", _kind)
+    def _(v, name=_name):
+        return _build(**{name: v})
+
+
+def _pair(value: Any) -> Any:
+    if not isinstance(value, (tuple, list)) or len(value) != 2:
+        raise RefusedError
+    return [amount(least=0.0).read(entry) for entry in value]
