@@ -292,3 +292,20 @@ def test_arguments_are_checked():
         WheelContact(*usual[:-1], 5.0)
     with pytest.raises(TypeError, match="`tire` must be a tire"):
         w.contact.loads(1e5)
+
+
+def test_camber_follows_over_the_relaxation_length():
+    w = wheel(0.0)
+    e_x, e_y, lag = me.dynamicsymbols("e_x e_y gamma_lag")
+    relaxed = w.contact.with_relaxation((0.3, 0.5), (e_x, e_y), camber=lag)
+    assert relaxed.gamma == lag
+    assert relaxed.deflections == (e_x, e_y, lag)
+    rate = sm.solve(relaxed.kinematic_equations[2], lag.diff())[0].subs(lag, 0.1)
+    camber, speed = values(w, w.contact.gamma), values(w, w.contact.speed)
+    assert values(w, rate) == pytest.approx(abs(speed) / 0.5 * (camber - 0.1), rel=1e-12)
+
+
+@pytest.mark.parametrize("camber", [0.1, "gamma", sm.Symbol("gamma"), me.dynamicsymbols("e_x")])
+def test_camber_that_follows_is_a_further_function_of_time(camber):
+    with pytest.raises(TypeError, match="`camber` must be a further function of time"):
+        wheel(0.0).contact.with_relaxation((0.3, 0.5), me.dynamicsymbols("e_x e_y"), camber=camber)

@@ -13,6 +13,9 @@ car with four wheels that spin, `car_trailer` one with a trailer. `pydy.vehicles
 motors, differentials and the air for models of your own, `pydy.vehicles.scenes` pictures of cars.
 motors, gears, clutches, bushings and the air for models of your own, `pydy.vehicles.suspensions`
 hard points, quarter cars and a car on springs.
+car with four wheels that spin, `car_trailer` one with a trailer. `pydy.vehicles.two_wheelers` has
+bicycles and motorcycles, `pydy.vehicles.machines` motors, differentials and the air for models of
+your own.
 """
 
 import lazy_loader

@@ -15,6 +15,8 @@ from pydy.vehicles.forces import checked_parameters
 from pydy.vehicles.tuning import SHORTEST_RELAXATION, SMALLEST_SLIDING
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from pydy._sympy_types import Expression
 
 
@@ -73,6 +75,32 @@ def transient_slips(
     )
 
 
+def camber_equation(
+    sliding: SlidingSpeeds,
+    lengths: object,
+    camber: object,
+    deflections: Sequence[object],
+    gamma: Expression,
+) -> Expression:
+    """Return the equation, which is zero, of camber that a tire's forces follow over σ_α.
+
+    Of a linear tire the whole side force then lags, Sharp 1971.
+    """
+    _, lag = _lengths(lengths, SHORTEST_RELAXATION * sliding.radius)
+    t = dynamicsymbols._t
+    if not _is_function_of_time(camber) or camber in deflections:
+        raise TypeError(
+            "`camber` must be a further function of time, such as dynamicsymbols('gamma_lag'), "
+            f"got {shown(camber)}."
+        )
+    state: Operand = camber
+    return state.diff(t) + sm.Abs(sliding.speed, evaluate=False) / lag * (state - gamma)
+
+
+def _is_function_of_time(value: object) -> bool:
+    return isinstance(value, AppliedUndef) and value.args == (dynamicsymbols._t,)
+
+
 def _lengths(lengths: object, shortest: Operand) -> list[Operand]:
     if not isinstance(lengths, (tuple, list)) or len(lengths) != 2:
         raise TypeError(
@@ -86,11 +114,10 @@ def _lengths(lengths: object, shortest: Operand) -> list[Operand]:
 
 
 def _deflections(deflections: object) -> tuple[Operand, Operand]:
-    t = dynamicsymbols._t
     if (
         not isinstance(deflections, (tuple, list))
         or len(deflections) != 2
-        or not all(isinstance(x, AppliedUndef) and x.args == (t,) for x in deflections)
+        or not all(map(_is_function_of_time, deflections))
         or deflections[0] == deflections[1]
     ):
         raise TypeError(

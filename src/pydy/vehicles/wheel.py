@@ -14,7 +14,7 @@ from pydy.contact import Stick
 from pydy.solvers import Event
 from pydy.vehicles.algebra import is_symbolic
 from pydy.vehicles.forces import Tire, TireForces, checked_parameters
-from pydy.vehicles.relaxation import SlidingSpeeds, transient_slips
+from pydy.vehicles.relaxation import SlidingSpeeds, camber_equation, transient_slips
 from pydy.vehicles.tread import WheelMotion, touch_of_cylinder, touch_of_torus
 from pydy.vehicles.wheel_arguments import (
     Law,
@@ -269,6 +269,7 @@ class WheelContact:
         damping: Expression | float = 0.05,
         low_speed: Expression | float = 1.0,
         sliding_slip: Expression | float = 0.2,
+        camber: TimeFunction | None = None,
     ) -> Self:
         """Return the contact with slips that follow with a lag, and that hold at standstill.
 
@@ -297,6 +298,10 @@ class WheelContact:
             V_low (m/s).
         sliding_slip : number or expression, optional
             s, not smaller than the slip of the largest force.
+        camber : function of time, optional
+            γ' (rad), one more coordinate of the model: the tire's forces follow the camber over
+            σ_α, too, with the rate |V_x| (γ − γ')/σ_α, and γ' becomes `gamma`. By default camber
+            acts at once.
 
         Returns
         -------
@@ -307,6 +312,9 @@ class WheelContact:
         H. B. Pacejka, Tyre and Vehicle Dynamics, 2nd ed., Butterworth-Heinemann, 2006, sections
         7.2 and 8.6.
 
+        R. S. Sharp, The stability and control of motorcycles, J. Mech. Eng. Sci. 13 (1971)
+        316-329, for the lag of the camber.
+
         C. Canudas de Wit, P. Tsiotras, E. Velenis, M. Basset, G. Gissinger, Dynamic friction models
         for road/tire longitudinal interaction, Vehicle System Dynamics 39(3), 2003, pp. 189–226.
         """
@@ -315,6 +323,11 @@ class WheelContact:
         result = copy.copy(self)
         result.kappa, result.alpha = slips.kappa, slips.alpha
         result.deflections, result.kinematic_equations = tuple(deflections), slips.equations
+        if camber is not None:
+            equation = camber_equation(self._sliding, lengths, camber, deflections, self.gamma)
+            result.gamma = camber
+            result.deflections = (*result.deflections, camber)
+            result.kinematic_equations = [*slips.equations, equation]
         return result
 
     def brake(

@@ -343,6 +343,7 @@ def _lengths(value: Any) -> Any:
 _RELAXATION: dict[str, Kind] = {
     "lengths": Kind(_lengths, ("common", "texts", "arrays"), compare=False),
     "deflections": nothing("texts", "symbols"),
+    "camber": nothing("texts", "symbols", allowed=one_of(None)),
     **dict.fromkeys(("low_speed", "sliding_slip"), _positive),
     "damping": _not_negative,
 }
