@@ -43,6 +43,10 @@ class Graph(Nodes):
         super().__init__()
         self.off = off  # what its nodes are not simplified by (`pydy._graph.passes.names`)
         self._counted: list[bool] = []  # whether a product only counts how often it has the node
+        # Of `solve` nodes, see `pydy._graph.residuals`: b − A x in two forms, where derivatives are
+        # made of it, and what they were before they were simplified.
+        self.residuals: dict[int, tuple[list[int], list[int]] | None] = {}
+        self.systems: dict[int, int] = {}
         self.zero = self.const(0.0)
         self.one = self.const(1.0)
 
@@ -59,6 +63,7 @@ class Graph(Nodes):
         twin.constant, twin._node_of = self.constant.copy(), self._node_of.copy()
         twin._operands, twin._counted = self._operands.copy(), self._counted.copy()
         twin.zero, twin.one, twin.off = self.zero, self.one, self.off
+        twin.residuals, twin.systems = self.residuals.copy(), self.systems.copy()
         nodes = {}
         for old, new in (names or {}).items():
             node = twin._node_of.pop(("input", old), None)
