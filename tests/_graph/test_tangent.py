@@ -103,6 +103,15 @@ def test_small_jacobians_are_not_divided():
     assert FROM_OPERATIONS > 8
 
 
+def test_columns_that_share_nothing_are_not_divided():
+    graph = Graph()
+    x = [graph.input("x", k) for k in range(8)]
+    nodes = x
+    for _ in range(FROM_OPERATIONS):
+        nodes = [graph.call("sin", node) for node in nodes]
+    assert worthwhile_parts(graph, nodes, x) == []
+
+
 def test_a_long_chain_takes_a_fraction_of_the_code():
     """Operations to compile, those of each part once, and operations of all columns."""
     assembly = assembly_of(n_link_pendulum_on_cart(20))

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from pydy._collector import collector_paused
-from pydy._graph import Graph, SymPyReader, simplify, substitute
+from pydy._graph import Graph, SymPyReader, record_systems, simplify, substitute
 from pydy._mechanics import Equations, find_symbols
 
 
@@ -99,7 +99,9 @@ class Assembly:
         if known is None:
             own = self.fork()
             with collector_paused():
-                nodes = simplify(own.graph, getattr(own.blocks, name))
+                roots = getattr(own.blocks, name)
+                nodes = simplify(own.graph, roots)
+                record_systems(own.graph, roots, nodes)
             known = self._simplified[name] = (own.graph, nodes)
         return known[0].copy(), known[1]
 

@@ -22,6 +22,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 
 from pydy._graph.linear_system import solve_factored
 from pydy._graph.node import Graph
+from pydy._graph.residuals import residuals
 from pydy._graph.roots import is_carried, is_steep, of_half_power, slope
 from pydy._program import OPERATIONS, symmetric
 
@@ -56,7 +57,8 @@ def jacobian(graph: Graph, outputs: Sequence[int], variables: Sequence[int]) -> 
     seeds: dict[int, Row] = {}
     for k, node in enumerate(variables):  # of which one may be there several times
         seeds.setdefault(node, {})[k] = graph.one
-    return directional(graph, outputs, seeds, len(variables))
+    # An entry of a matrix depends on few variables, a residual on many.
+    return _derivatives(graph, outputs, seeds, len(variables), by_residuals=False)
 
 
 def hessian(graph: Graph, node: int, variables: Sequence[int]) -> tuple[list[int], list[list[int]]]:
@@ -74,11 +76,22 @@ def directional(
     The `seeds` are the directions' components, for each variable a dict from the number of the
     direction to a node.
     """
+    return _derivatives(graph, outputs, seeds, directions)
+
+
+def _derivatives(
+    graph: Graph,
+    outputs: Sequence[int],
+    seeds: Mapping[int, Row],
+    directions: int,
+    *,
+    by_residuals: bool = True,
+) -> SparseRows:
     rows: dict[int, Row] = dict(seeds)
     vectors: dict[int, list[Row]] = {}
     for node in graph.reachable(outputs):
         if node not in rows:
-            rows[node] = _row(graph, node, rows, vectors)
+            rows[node] = _row(graph, node, rows, vectors, by_residuals=by_residuals)
     zero = graph.zero
     final = [_without_roots_stored(graph, n, rows) for n in outputs]
     nonzero = [{k: d for k, d in sorted(row.items()) if d != zero} for row in final]
@@ -153,7 +166,14 @@ class DerivativeRows:
                 stored[node] = _row(graph, node, stored, self._vectors)
 
 
-def _row(g: Graph, node: int, rows: dict[int, Row], vectors: dict[int, list[Row]]) -> Row:
+def _row(
+    g: Graph,
+    node: int,
+    rows: dict[int, Row],
+    vectors: dict[int, list[Row]],
+    *,
+    by_residuals: bool = True,
+) -> Row:
     op, args = g.ops[node], g.args[node]
     if op == "sum":
         return _combine(g, [(rows[n], None, c) for n, c in args[1]])
@@ -181,7 +201,7 @@ def _row(g: Graph, node: int, rows: dict[int, Row], vectors: dict[int, list[Row]
         for n in g.operands(node):
             _without_roots_stored(g, n, rows)
     if op == "solve":
-        vectors[node] = _solve_rows(g, node, rows)
+        vectors[node] = _solve_rows(g, node, rows, vectors, by_residuals)
         return {}
     if op == "guard":
         vectors[node] = _guard_rows(g, node, rows)
@@ -309,15 +329,53 @@ def _combine(g: Graph, parts: Sequence[tuple[Row, int | None, float]]) -> Row:
     return {k: g.sum(t) for k, t in terms.items()}
 
 
-def _solve_rows(g: Graph, node: int, rows: dict[int, Row]) -> list[Row]:
+def _solve_rows(
+    g: Graph,
+    node: int,
+    rows: dict[int, Row],
+    vectors: dict[int, list[Row]],
+    by_residuals: bool,
+) -> list[Row]:
     factor, column = g.args[node]
     x = [g.make("item", (node, k)) for k in range(len(column))]
+    residual = residuals(g, node) if by_residuals else None
+    if residual is None:
+        rights = _system_slopes(g, g.args[factor], x, column, rows)
+    else:
+        rights = _residual_slopes(g, residual, node, x, rows, vectors)
     result: list[Row] = [{} for _ in column]
-    for key, right in _system_slopes(g, g.args[factor], x, column, rows).items():
+    for key, right in rights.items():
         for i, d in enumerate(solve_factored(g, factor, right)):
             if d != g.zero:
                 result[i][key] = d
     return result
+
+
+def _residual_slopes(
+    g: Graph,
+    residual: Sequence[int],
+    solve: int,
+    x: Sequence[int],
+    rows: dict[int, Row],
+    vectors: dict[int, list[Row]],
+) -> dict[int, list[int]]:
+    """Return r' of the residuals b − A x at a fixed solution x, for each key of their rows."""
+    at_fixed: dict[int, Row] = {k: {} for k in x}
+    free: dict[int, Row] = {}  # what was known of nodes that depend on the solution
+    for node in g.reachable(residual):
+        depends = node != solve and not at_fixed.keys().isdisjoint(g.operands(node))
+        if node in at_fixed or depends:
+            if node in rows:
+                free[node] = rows[node]
+            rows[node] = at_fixed[node] = _row(g, node, rows, vectors) if depends else {}
+        elif node not in rows and node != solve:
+            rows[node] = _row(g, node, rows, vectors)
+    fixed = [dict(_without_roots_stored(g, n, rows)) for n in residual]
+    for node in at_fixed:
+        rows.pop(node, None)
+    rows.update(free)
+    keys = sorted({key for row in fixed for key in row})
+    return {key: [row.get(key, g.zero) for row in fixed] for key in keys}
 
 
 def definite(g: Graph, guard: int) -> int | None:

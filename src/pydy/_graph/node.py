@@ -47,6 +47,10 @@ class Graph(Nodes):
         self.one_sided: dict[int, int] = {}  # see `pydy._graph.one_sided`, as `facts`
         self.facts = bytearray()
         self._counted: list[bool] = []  # whether a product only counts how often it has the node
+        # Of `solve` nodes, see `pydy._graph.residuals`: b − A x in two forms, where derivatives are
+        # made of it, and what they were before they were simplified.
+        self.residuals: dict[int, tuple[list[int], list[int]] | None] = {}
+        self.systems: dict[int, int] = {}
         self.zero = self.const(0.0)
         self.one = self.const(1.0)
 
@@ -65,6 +69,7 @@ class Graph(Nodes):
         twin.zero, twin.one, twin.off = self.zero, self.one, self.off
         twin.has_steps, twin.one_sided = self.has_steps, {} if names else self.one_sided.copy()
         twin.facts = bytearray() if names else self.facts.copy()
+        twin.residuals, twin.systems = self.residuals.copy(), self.systems.copy()
         nodes = {}
         for old, new in (names or {}).items():
             node = twin._node_of.pop(("input", old), None)

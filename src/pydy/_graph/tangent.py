@@ -20,6 +20,7 @@ from pydy._graph.derivative import DerivativeRows
 from pydy._graph.lowering import lower
 from pydy._graph.node import Graph
 from pydy._graph.passes.factor import factor_sums
+from pydy._graph.residuals import residuals
 from pydy._graph.tuning import ANOTHER_PART, COLUMNS_TOGETHER, FROM_OPERATIONS, LESS_WORK
 from pydy._program import OPERATIONS, Part, Program, Tangent, Tape
 
@@ -217,7 +218,7 @@ def supports(graph: Graph, outputs: Sequence[int], variables: Sequence[int]) -> 
                 all_columns |= columns
         return all_columns
 
-    for node in graph.reachable(outputs, fallbacks=False):
+    for node in _differentiated(graph, outputs):
         op, args = graph.ops[node], graph.args[node]
         if node in bits:  # one of the variables
             continue
@@ -226,6 +227,9 @@ def supports(graph: Graph, outputs: Sequence[int], variables: Sequence[int]) -> 
             if graph.ops[vector] == "guard" and graph.args[vector][3] != never:
                 vector = graph.args[vector][4][k]
             bits[node] = bits[vector]
+        elif op == "solve" and (residual := residuals(graph, node, open_form=True)):
+            bits[node] = reduce(or_, (bits[k] for k in residual))
+            cost[bits[node]] += len(residual) ** 2
         elif op == "solve" or (op == "guard" and args[3] == never):
             # Ȧ x, and a solve with the factors that there are; see `pydy._graph.derivative`.
             (_, n, entries), column = (
@@ -247,6 +251,30 @@ def supports(graph: Graph, outputs: Sequence[int], variables: Sequence[int]) -> 
     return cost
 
 
+def _differentiated(graph: Graph, outputs: Sequence[int]) -> list[int]:
+    """Return the nodes whose derivatives are formed, operands first.
+
+    Of a system with residuals these take the place of its entries.
+    """
+    never = graph.boolean(False)
+    order: list[int] = []
+    done: set[int] = set()
+    stack = list(outputs)
+    while stack:
+        node = stack.pop()
+        if node < 0:
+            order.append(~node)
+        elif node not in done:
+            done.add(node)
+            needs: Sequence[int] = graph.operands(node)
+            if graph.ops[node] == "solve":
+                needs = residuals(graph, node, open_form=True) or needs
+            elif graph.ops[node] == "guard" and graph.args[node][3] != never:
+                needs = (graph.args[node][3], *graph.args[node][4])
+            stack += [~node, *(k for k in needs if k not in done)]
+    return order
+
+
 def _union(cost: Iterable[int]) -> int:
     """Return the columns that execute any operation."""
     return reduce(or_, cost, 0)
@@ -261,8 +289,8 @@ def worthwhile_parts(
     if written_out < FROM_OPERATIONS or len(variables) < COLUMNS_TOGETHER:
         return []
     parts = parts_of(cost, len(variables))
-    vectors = sum(_turns(b - a) * _restricted(cost, a, b).total() for a, b in parts)
-    return parts if vectors * LESS_WORK < written_out else []
+    price = sum(_price(b - a, _restricted(cost, a, b).total()) for a, b in parts)
+    return parts if price * LESS_WORK < (1 + ANOTHER_PART) * written_out else []
 
 
 def parts_of(cost: Counter[int], columns: int) -> list[tuple[int, int]]:
@@ -280,9 +308,9 @@ def parts_of(cost: Counter[int], columns: int) -> list[tuple[int, int]]:
     return _split(cost, first, stop)
 
 
-def _turns(columns: int) -> int:
-    """Return how many vectors of columns a part has."""
-    return -(-columns // COLUMNS_TOGETHER)
+def _price(columns: int, work: int) -> float:
+    """Return what a part costs: its operations in each turn of its columns, and to compile them."""
+    return (-(-columns // COLUMNS_TOGETHER) + ANOTHER_PART) * work
 
 
 def _restricted(cost: Counter[int], first: int, stop: int) -> Counter[int]:
@@ -308,7 +336,7 @@ def _split(cost: Counter[int], first: int, stop: int) -> list[tuple[int, int]]:
 
     def price(cut: int) -> float:
         halves = (cut, work_left[cut]), (width - cut, work_right[cut])
-        return sum((_turns(columns) + ANOTHER_PART) * work for columns, work in halves if columns)
+        return sum(_price(columns, work) for columns, work in halves if columns)
 
     cuts = range(COLUMNS_TOGETHER, width - COLUMNS_TOGETHER + 1)
     best = min((width, *cuts), key=price)
