@@ -9,13 +9,10 @@ for a wheel that moves freely, on a plane or a `RoadSurface`; `iso_road` makes r
 `single_track` makes a System of a car, `CARS` has constants of some, `linear_handling` the closed
 forms of the linear one. `step_steer`, `steady_turn` and `lane_change` are manoeuvres of a
 System. `commonroad_car` has models of the CommonRoad benchmarks. `double_track` makes a System of a
-car with four wheels that spin, `car_trailer` one with a trailer. `pydy.vehicles.machines` has
-motors, differentials and the air for models of your own, `pydy.vehicles.scenes` pictures of cars.
-motors, gears, clutches, bushings and the air for models of your own, `pydy.vehicles.suspensions`
-hard points, quarter cars and a car on springs.
-car with four wheels that spin, `car_trailer` one with a trailer. `pydy.vehicles.two_wheelers` has
-bicycles and motorcycles, `pydy.vehicles.machines` motors, differentials and the air for models of
-your own.
+car with four wheels that spin, `car_trailer` one with a trailer. Modules of their own have what
+models of your own need: `pydy.vehicles.machines` motors, gears, differentials, clutches, bushings
+and the air, `pydy.vehicles.suspensions` hard points, quarter cars and a car on springs,
+`pydy.vehicles.two_wheelers` bicycles and motorcycles, `pydy.vehicles.scenes` pictures of cars.
 """
 
 import lazy_loader

@@ -415,7 +415,8 @@ class Hinge:
     def outer(self, cos: Any, sin: Any) -> Coordinates:
         """Return the outer point where the arm has turned."""
         point: Coordinates = self.foot + self.radius * cos
-        return point + np.cross(self.axis, self.radius) * sin
+        rotated: Coordinates = point + np.cross(self.axis, self.radius) * sin
+        return rotated
 
 
 def orthogonal_to(direction: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -29,8 +29,6 @@ from pydy.vehicles import (
     steady_turn,
     step_steer,
 )
-from pydy.vehicles.machines import aerodynamic_loads, differential_torques, motor_torque
-from pydy.vehicles.scenes import car_scene
 from pydy.vehicles.machines import (
     aerodynamic_loads,
     anti_roll_bar_loads,
@@ -45,6 +43,7 @@ from pydy.vehicles.machines import (
     power_limited_torque,
     torsion_bar_stiffness,
 )
+from pydy.vehicles.scenes import car_scene
 from pydy.vehicles.suspensions import (
     SPRUNG_AXLES,
     SprungAxles,
