@@ -10,7 +10,8 @@ for a wheel that moves freely, on a plane or a `RoadSurface`; `iso_road` makes r
 forms of the linear one. `step_steer`, `steady_turn` and `lane_change` are manoeuvres of a
 System. `commonroad_car` has models of the CommonRoad benchmarks. `double_track` makes a System of a
 car with four wheels that spin, `car_trailer` one with a trailer. `pydy.vehicles.machines` has
-motors, differentials and the air for models of your own.
+motors, differentials and the air for models of your own, `pydy.vehicles.tracks` has roads and the
+fastest laps on them.
 """
 
 import lazy_loader
