@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import cache
+from pathlib import Path
+from tempfile import mkdtemp
 from typing import Any
 
 import numpy as np
@@ -11,7 +13,7 @@ from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 from fuzz.families.tires import _amount as amount, _inputs as inputs
 from fuzz.kinds import Kind, RefusedError, array, choice, integer, nothing, real
-from fuzz.table import flags, one_of, plotted, target
+from fuzz.table import empty_or_none, flags, one_of, plotted, target
 from pydy.system import System
 from pydy.vehicles import (
     CARS,
@@ -49,6 +51,7 @@ from pydy.vehicles.suspensions import (
     SprungAxles,
     sprung_double_track,
 )
+from pydy.vehicles.tracks import Lap, Track, TrackSystem, along, read_track
 from zoo import inertial_frame
 from zoo.suspended import SPATIAL
 
@@ -734,3 +737,182 @@ def _pair(value: Any) -> Any:
     if not isinstance(value, (tuple, list)) or len(value) != 2:
         raise RefusedError
     return [amount(least=0.0).read(entry) for entry in value]
+
+
+# ---- Tracks ----
+
+_BEND = 2 * np.pi * np.arange(12) / 12
+_POINTS = 50.0 * np.stack([np.cos(_BEND), np.sin(_BEND)], axis=1)
+
+
+@cache
+def _ring() -> Track:
+    return Track.circle(50.0, 10.0)
+
+
+@cache
+def _on_track() -> TrackSystem:
+    return along(_ring(), single_track(_car, free_speed=True), width=1.6)
+
+
+@cache
+def _lap() -> Lap:
+    return _on_track().lap(_on_track().system.simulate())
+
+
+def _through(**arguments: Any) -> Any:
+    usual = {"points": _POINTS, "right": 4.0, "left": 4.0}
+    return Track.through(**{**usual, **arguments}).length
+
+
+def _segments(**arguments: Any) -> Any:
+    usual = {"segments": [(10.0, 0.0)], "right": 4.0, "left": 4.0, "closed": False}
+    return Track.segments(**{**usual, **arguments}).widths([1.0])
+
+
+_plain = nothing("texts", "symbols")
+
+
+@target("Track.through.points", _plain)
+def _(v):
+    return _through(points=v)
+
+
+@target("Track.segments.segments", _plain)
+def _(v):
+    return _segments(segments=v)
+
+
+def _not_below_zero(a: np.ndarray) -> Any:
+    return (np.isfinite(a) & (a >= 0.0)).all()
+
+
+for _name in ("right", "left"):
+
+    @target(f"Track.through.{_name}", array((), (12,), check=_not_below_zero))
+    def _(v, name=_name):
+        return _through(**{name: v})
+
+    @target(f"Track.segments.{_name}", array((), (2,), check=_not_below_zero))
+    def _(v, name=_name):
+        return _segments(**{name: v})
+
+
+@target("Track.through.closed", flags)
+def _(v):
+    return _through(closed=v)
+
+
+@target("Track.segments.closed", flags)
+def _(v):
+    segments = [(100 * np.pi, 0.02)]
+    return _segments(segments=segments, closed=v)
+
+
+@target("Track.through.smoothing", Kind(real(least=0.0).read, _common, compare=False))
+def _(v):
+    return _through(smoothing=v)
+
+
+for _name in ("radius", "width"):
+
+    @target(f"Track.circle.{_name}", _positive)
+    def _(v, name=_name):
+        return str(Track.circle(**{"radius": 50.0, "width": 10.0, name: v}))
+
+
+for _name in ("straight", "radius", "width"):
+
+    @target(f"Track.oval.{_name}", _positive)
+    def _(v, name=_name):
+        return str(Track.oval(**{"straight": 100.0, "radius": 50.0, "width": 10.0, name: v}))
+
+
+_lengths = array((), (None,), check=lambda a: np.isfinite(a).all())
+
+for _name in ("curvature", "heading", "position", "widths"):
+
+    @target(f"Track.{_name}.s", Kind(_lengths.read, ("common", "arrays"), compare=False))
+    def _(v, name=_name):
+        return getattr(_ring(), name)(v)
+
+
+@target("Track.position.n", Kind(array((), (None,)).read, ("common", "arrays"), compare=False))
+def _(v):
+    return _ring().position(1.0, v)
+
+
+_pairs = array((None, 2), check=lambda a: np.isfinite(a).all())
+
+
+@target("Track.locate.points", Kind(_pairs.read, ("common", "arrays"), compare=False))
+def _(v):
+    return _ring().locate(v)
+
+
+@target("Track.plot.ax", _ax)
+def _(v):
+    return str(plotted(_ring().plot, v))
+
+
+@target("read_track.path", nothing("symbols"))
+def _(v):
+    return read_track(v)
+
+
+def _read(**arguments: Any) -> Any:
+    file = Path(mkdtemp()) / "ring.csv"
+    file.write_text("\n".join(f"{x},{y},4,4" for x, y in _POINTS.tolist()), encoding="utf-8")
+    return read_track(file, **arguments).length
+
+
+@target("read_track.closed", flags)
+def _(v):
+    return _read(closed=v)
+
+
+@target("read_track.smoothing", Kind(real(least=0.0).read, _common, compare=False))
+def _(v):
+    return _read(smoothing=v)
+
+
+def _along(**arguments: Any) -> Any:
+    usual = {"track": _ring(), "system": single_track(_car, free_speed=True)}
+    return str(along(**{**usual, **arguments}).bounds)
+
+
+for _name in ("track", "system", "position"):
+
+    @target(f"along.{_name}", _plain)
+    def _(v, name=_name):
+        return _along(**{name: v})
+
+
+@target("along.width", Kind(real(least=0.0, below=10.0).read, _common, compare=False))
+def _(v):
+    return _along(width=v)
+
+
+@target("along.inputs", nothing("texts", "symbols", allowed=empty_or_none))
+def _(v):
+    return _along(inputs=v)
+
+
+@target("along.periodic", Kind(lambda v: v if v is None else flags.read(v), flags.groups))
+def _(v):
+    return _along(periodic=v)
+
+
+@target("TrackSystem.lap.motion", _plain)
+def _(v):
+    return _on_track().lap(v).time
+
+
+@target("Lap.plot.ax", _ax)
+def _(v):
+    return str(plotted(_lap().plot, v))
+
+
+@target("Lap.plot.quantity", _names)
+def _(v):
+    return str(plotted(_lap().plot, quantity=v))
