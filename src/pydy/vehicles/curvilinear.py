@@ -380,9 +380,10 @@ def along(
     states = list(on_track.states) if is_periodic else []
     boundary = tuple(sm.Eq(s.subs(t, end), s.subs(t, 0)) for s in states)
     right, left = _offsets(track, half)
+    x, y, psi = position
     return TrackSystem(
         track, on_track, system, n, xi, sm.Integral(pace, t), is_periodic, dict.fromkeys(states),
-        boundary, {n: (right, left), xi: (-np.pi / 2, np.pi / 2)}, tuple(position), controlled,
+        boundary, {n: (right, left), xi: (-np.pi / 2, np.pi / 2)}, (x, y, psi), controlled,
         fixed,
     )  # fmt: skip
 

@@ -11,7 +11,7 @@ import numpy as np
 from pydy._checks import number, positive, real_array, shown
 from pydy._rank import HALF, ROUNDED
 from pydy.plot import axes_of
-from pydy.vehicles.hard_points import Hinge, Suspension
+from pydy.vehicles.hard_points import HardPoints, Hinge
 from pydy.vehicles.tuning import POSITIONS_PER_ARM
 
 if TYPE_CHECKING:
@@ -94,7 +94,7 @@ class _Pose:
 class _Mechanism:
     """A suspension with one degree of freedom, its rack being fixed."""
 
-    def __init__(self, suspension: Suspension, rack: float) -> None:
+    def __init__(self, suspension: HardPoints, rack: float) -> None:
         self.points, self.rack = suspension, rack
         self.hinge = Hinge.of(suspension, "lower")
 
@@ -157,7 +157,7 @@ class _Mechanism:
 
 
 def curves_of(
-    suspension: Suspension, travel: float | Sequence[float], radius: float, rack: float
+    suspension: HardPoints, travel: float | Sequence[float], radius: float, rack: float
 ) -> SuspensionCurves:
     """Return the curves over the travel: the poses are followed from that of the hard points."""
     targets = np.atleast_1d(real_array(travel, "`travel`"))
@@ -179,7 +179,7 @@ def curves_of(
     )
 
 
-def _poses(suspension: Suspension, targets: np.ndarray, rack: float) -> list[_Pose]:
+def _poses(suspension: HardPoints, targets: np.ndarray, rack: float) -> list[_Pose]:
     """Return the poses at travels, each from the nearest one on its way from no travel."""
     start = _Pose(0.0, np.eye(3))
     longest = float(np.linalg.norm(Hinge.of(suspension, "lower").radius)) / POSITIONS_PER_ARM

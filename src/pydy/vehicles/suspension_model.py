@@ -14,7 +14,7 @@ from sympy.physics.mechanics import Point, ReferenceFrame, RigidBody, Vector
 from pydy._checks import instance, shown, text
 from pydy.vehicles.algebra import checked_quantity
 from pydy.vehicles.forces import checked_parameters
-from pydy.vehicles.hard_points import DoubleWishbone, Hinge, Suspension, orthogonal_to
+from pydy.vehicles.hard_points import HardPoints, Hinge, orthogonal_to
 
 if TYPE_CHECKING:
     from pydy._sympy_types import Expression, Load, TimeFunction
@@ -85,7 +85,7 @@ class SuspensionModel:
 
 
 def build(
-    suspension: Suspension,
+    suspension: HardPoints,
     body: ReferenceFrame,
     origin: Point,
     frame: ReferenceFrame,
@@ -105,7 +105,7 @@ def build(
     if not (force is None or callable(force)):
         raise TypeError(f"`force` must be a function or None, got {shown(force)}.")
     masses = _amounts(arm_masses, "arm_masses", 2)
-    if isinstance(suspension, DoubleWishbone):
+    if "upper_outer" in suspension._point_names():
         with_upper_arm = masses[1] != 0
     elif masses[1] != 0:
         raise ValueError(
@@ -174,7 +174,7 @@ class _Parts:
 
     def __init__(
         self,
-        suspension: Suspension,
+        suspension: HardPoints,
         body: ReferenceFrame,
         origin: Point,
         frame: ReferenceFrame,

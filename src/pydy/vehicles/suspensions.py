@@ -7,7 +7,7 @@ System of a car with 14 degrees of freedom, whose body moves on springs, dampers
 `SPRUNG_AXLES` has published values.
 """
 
-from pydy.vehicles.hard_points import DoubleWishbone, McPherson
+from pydy.vehicles.linkages import DoubleWishbone, McPherson
 from pydy.vehicles.sprung_car import SPRUNG_AXLES, SprungAxles, sprung_double_track
 from pydy.vehicles.suspension_curves import SuspensionCurves
 from pydy.vehicles.suspension_model import SuspensionModel

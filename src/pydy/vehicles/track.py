@@ -271,7 +271,7 @@ class Track:
             )
         points, heading, _ = self._line.curve(self._within(at))
         normal = np.stack([-np.sin(heading), np.cos(heading)], axis=-1)
-        rows = points + np.atleast_1d(offset)[:, None] * normal
+        rows: np.ndarray = points + np.atleast_1d(offset)[:, None] * normal
         return rows[0] if np.ndim(s) == 0 and offset.ndim == 0 else rows
 
     def widths(self, s: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
