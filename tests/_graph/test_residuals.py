@@ -102,14 +102,14 @@ def test_the_residuals_vanish_at_the_solution():
 def test_nodes_of_the_solution_have_their_whole_derivatives_elsewhere():
     graph, nodes, inputs = solved(*chain())
     solve = solve_of(graph, nodes)
-    # A node of the residuals that holds an acceleration is an output too.
-    held = next(
+    # A node of the residuals with an acceleration is an output too.
+    product = next(
         k
         for k in graph.reachable(residuals(graph, solve))
         if graph.ops[k] == "prod" and any(n in nodes for n, _ in graph.args[k])
     )
     seeds = {node: {k: graph.one} for k, node in enumerate(inputs)}
-    outputs = [*nodes, held]
+    outputs = [*nodes, product]
     by_residuals = directional(graph, outputs, seeds, len(inputs)).flat()
     by_system = jacobian(graph, outputs, inputs).flat()
     blocks = [("one", (len(by_residuals),), by_residuals), ("two", (len(by_system),), by_system)]
