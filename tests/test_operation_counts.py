@@ -102,11 +102,10 @@ def test_no_jacobian_costs_more_operations_than_it_did(name):
 
 # The same in parts: operations to compile, and vectors of operations to execute.
 IN_PARTS = {
-    "pendulum-5": (652, 1228),
-    "pendulum-10": (2610, 3953),
-    "rods-3": (4215, 9141),
-    "quadrotor": (1182, 1638),
-    "bicycle": (3807, 6097),
+    "pendulum-5": (750, 919),
+    "pendulum-10": (3144, 3473),
+    "rods-3": (5626, 6093),
+    "quadrotor": (1279, 1279),
 }
 
 
@@ -121,8 +120,8 @@ def test_no_jacobian_in_parts_costs_more_operations_than_it_did(name):
     assert run <= IN_PARTS[name][1]
 
 
-def test_a_small_jacobian_is_one_program():
-    made = jacobian_in_parts(assembly_of(frozen.read("pendulum-1")), "rates", "x")
+def test_a_jacobian_that_gains_nothing_in_parts_is_one_program():
+    made = jacobian_in_parts(assembly_of(frozen.read("bicycle")), "rates", "x")
     assert isinstance(made, Program)
 
 

@@ -19,7 +19,7 @@ from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.linear_system import LinearSystem
 from pydy._graph.lowering import lower
 from pydy._graph.node import Graph
-from pydy._graph.residuals import record_systems, residuals
+from pydy._graph.residuals import residuals
 from pydy._graph.simplification import simplify
 from pydy._program.interpret import run
 
@@ -49,7 +49,7 @@ def solved(matrix, forcing, symbols):
     rows = [read.all(matrix.row(i)) for i in range(matrix.rows)]
     roots = LinearSystem(graph, rows, "ldl").solve(read.all(forcing))
     nodes = simplify(graph, roots)
-    record_systems(graph, roots, nodes)
+    graph.record_systems(roots, nodes)
     return graph, nodes, [graph.input("x", k) for k in range(len(symbols))]
 
 
@@ -134,7 +134,7 @@ def test_a_system_within_a_system_is_solved_once():
     first = LinearSystem(graph, rows, "ldl").solve(read.all(forcing))
     roots = LinearSystem(graph, rows, "ldl").solve(first)
     nodes = simplify(graph, roots)
-    record_systems(graph, roots, nodes)
+    graph.record_systems(roots, nodes)
     inputs = [graph.input("x", k) for k in range(len(symbols))]
     factors = {k for k in graph.reachable(nodes) if graph.ops[k] == "factor"}
     seeds = {node: {0: graph.input("x", LINKS * 2 + k)} for k, node in enumerate(inputs)}

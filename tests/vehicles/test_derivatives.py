@@ -46,6 +46,7 @@ HIGH_PRECISION = SimpleNamespace(
     sin=mp.sin, cos=mp.cos, tan=mp.tan, atan=mp.atan, exp=mp.exp, sqrt=mp.sqrt,
     abs=mp.fabs, sign=mp.sign, minimum=min, maximum=max, constant=mp.mpf,
     where_negative=lambda x, yes, no: yes if x < 0 else no,
+    side=lambda x: -1 if x < 0 else 1,
 )  # fmt: skip
 
 

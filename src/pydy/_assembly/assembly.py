@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from pydy._collector import collector_paused
-from pydy._graph import Graph, SymPyReader, record_systems, simplify, substitute
+from pydy._graph import Graph, SymPyReader, simplify, substitute
 from pydy._mechanics import Equations, find_symbols
 
 
@@ -101,7 +101,7 @@ class Assembly:
             with collector_paused():
                 roots = getattr(own.blocks, name)
                 nodes = simplify(own.graph, roots)
-                record_systems(own.graph, roots, nodes)
+                own.graph.record_systems(roots, nodes)
             known = self._simplified[name] = (own.graph, nodes)
         return known[0].copy(), known[1]
 

@@ -20,7 +20,6 @@ from .passes import passes_are_shipped as passes_are_shipped, rewriting as rewri
 from .passes.factor import factor_sums as factor_sums
 from .products import derivative_program as derivative_program
 from .reachability import reach as reach
-from .residuals import record_systems as record_systems
 from .rewrite import substitute as substitute
 from .rounding import (
     per_unit as per_unit,

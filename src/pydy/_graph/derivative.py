@@ -22,7 +22,6 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 
 from pydy._graph.linear_system import solve_factored
 from pydy._graph.node import Graph
-from pydy._graph.residuals import residuals
 from pydy._graph.roots import is_carried, is_steep, of_half_power, slope
 from pydy._program import OPERATIONS, symmetric
 
@@ -329,6 +328,13 @@ def _combine(g: Graph, parts: Sequence[tuple[Row, int | None, float]]) -> Row:
     return {k: g.sum(t) for k, t in terms.items()}
 
 
+def residuals_of(g: Graph, solve: int, *, open_form: bool = False) -> list[int] | None:
+    """Return the nodes b − A x of a solve node, or None; see `pydy._graph.residuals`."""
+    from pydy._graph.residuals import residuals  # written-out Jacobians need none
+
+    return residuals(g, solve, open_form=open_form)
+
+
 def _solve_rows(
     g: Graph,
     node: int,
@@ -338,7 +344,7 @@ def _solve_rows(
 ) -> list[Row]:
     factor, column = g.args[node]
     x = [g.make("item", (node, k)) for k in range(len(column))]
-    residual = residuals(g, node) if by_residuals else None
+    residual = residuals_of(g, node) if by_residuals else None
     if residual is None:
         rights = _system_slopes(g, g.args[factor], x, column, rows)
     else:

@@ -10,27 +10,11 @@ algorithms", Robotics: Science and Systems 2018).
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 from pydy._graph.node import Graph
 from pydy._graph.rewrite import substitute
 from pydy._graph.simplification import operation_count, simplify
 from pydy._graph.tuning import MATRIX_OVER_PRODUCT
 from pydy._program import symmetric
-
-
-def record_systems(graph: Graph, roots: Sequence[int], simplified: Sequence[int]) -> None:
-    """Record which linear system each one of simplified nodes was before.
-
-    In the simplified entries constants are joined already, which residuals would join otherwise.
-    """
-    solves = [
-        [k for k in graph.reachable(r) if graph.ops[k] == "solve"] for r in (roots, simplified)
-    ]
-    # Of several systems nothing says which one became which.
-    if all(len(nodes) == 1 for nodes in solves):
-        (before,), (after,) = solves
-        graph.systems[after] = before
 
 
 def residuals(graph: Graph, solve: int, *, open_form: bool = False) -> list[int] | None:

@@ -16,11 +16,10 @@ from typing import NamedTuple
 import numpy as np
 
 from pydy._collector import collector_paused
-from pydy._graph.derivative import DerivativeRows
+from pydy._graph.derivative import DerivativeRows, residuals_of
 from pydy._graph.lowering import lower
 from pydy._graph.node import Graph
 from pydy._graph.passes.factor import factor_sums
-from pydy._graph.residuals import residuals
 from pydy._graph.tuning import ANOTHER_PART, COLUMNS_TOGETHER, FROM_OPERATIONS, LESS_WORK
 from pydy._program import OPERATIONS, Part, Program, Tangent, Tape
 
@@ -227,7 +226,7 @@ def supports(graph: Graph, outputs: Sequence[int], variables: Sequence[int]) -> 
             if graph.ops[vector] == "guard" and graph.args[vector][3] != never:
                 vector = graph.args[vector][4][k]
             bits[node] = bits[vector]
-        elif op == "solve" and (residual := residuals(graph, node, open_form=True)):
+        elif op == "solve" and (residual := residuals_of(graph, node, open_form=True)):
             bits[node] = reduce(or_, (bits[k] for k in residual))
             cost[bits[node]] += len(residual) ** 2
         elif op == "solve" or (op == "guard" and args[3] == never):
@@ -268,7 +267,7 @@ def _differentiated(graph: Graph, outputs: Sequence[int]) -> list[int]:
             done.add(node)
             needs: Sequence[int] = graph.operands(node)
             if graph.ops[node] == "solve":
-                needs = residuals(graph, node, open_form=True) or needs
+                needs = residuals_of(graph, node, open_form=True) or needs
             elif graph.ops[node] == "guard" and graph.args[node][3] != never:
                 needs = (graph.args[node][3], *graph.args[node][4])
             stack += [~node, *(k for k in needs if k not in done)]
@@ -289,8 +288,8 @@ def worthwhile_parts(
     if written_out < FROM_OPERATIONS or len(variables) < COLUMNS_TOGETHER:
         return []
     parts = parts_of(cost, len(variables))
-    price = sum(_price(b - a, _restricted(cost, a, b).total()) for a, b in parts)
-    return parts if price * LESS_WORK < (1 + ANOTHER_PART) * written_out else []
+    vectors = sum(_turns(b - a) * _restricted(cost, a, b).total() for a, b in parts)
+    return parts if vectors * LESS_WORK < written_out else []
 
 
 def parts_of(cost: Counter[int], columns: int) -> list[tuple[int, int]]:
@@ -308,9 +307,9 @@ def parts_of(cost: Counter[int], columns: int) -> list[tuple[int, int]]:
     return _split(cost, first, stop)
 
 
-def _price(columns: int, work: int) -> float:
-    """Return what a part costs: its operations in each turn of its columns, and to compile them."""
-    return (-(-columns // COLUMNS_TOGETHER) + ANOTHER_PART) * work
+def _turns(columns: int) -> int:
+    """Return how many vectors of columns a part has."""
+    return -(-columns // COLUMNS_TOGETHER)
 
 
 def _restricted(cost: Counter[int], first: int, stop: int) -> Counter[int]:
@@ -336,7 +335,7 @@ def _split(cost: Counter[int], first: int, stop: int) -> list[tuple[int, int]]:
 
     def price(cut: int) -> float:
         halves = (cut, work_left[cut]), (width - cut, work_right[cut])
-        return sum(_price(columns, work) for columns, work in halves if columns)
+        return sum((_turns(columns) + ANOTHER_PART) * work for columns, work in halves if columns)
 
     cuts = range(COLUMNS_TOGETHER, width - COLUMNS_TOGETHER + 1)
     best = min((width, *cuts), key=price)

@@ -65,6 +65,11 @@ class NumericAlgebra:
     maximum = staticmethod(np.maximum)
 
     @staticmethod
+    def side(x: Operand) -> Operand:
+        """Return −1 where x < 0, otherwise 1."""
+        return np.where(np.less(x, 0.0), -1.0, 1.0)
+
+    @staticmethod
     def where_negative(x: Operand, yes: Operand, no: Operand) -> Operand:
         """Return `yes` where x < 0, otherwise `no`."""
         return np.where(np.less(x, 0.0), yes, no)
@@ -121,6 +126,11 @@ class SymbolicAlgebra:
     def maximum(self, x: Operand, y: Operand) -> Operand:
         """Return the larger value."""
         return self._unevaluated(self.sympy.Max, x, y)
+
+    def side(self, x: Operand) -> Operand:
+        """Return −1 where x < 0, otherwise 1."""
+        # SymPy would rewrite each Piecewise in the condition of another one, for many seconds.
+        return self.sign(self.sign(x) + self.sympy.Rational(1, 2))
 
     def where_negative(self, x: Operand, yes: Operand, no: Operand) -> Operand:
         """Return `yes` where x < 0, otherwise `no`."""

@@ -9,6 +9,7 @@ import numpy as np
 
 from pydy._rank import ROUNDED
 from pydy.inputs import SampledInput
+from pydy.vehicles.tuning import SHORTEST_JUMP
 
 if TYPE_CHECKING:
     from scipy.interpolate import BSpline
@@ -20,7 +21,6 @@ _POINTS, _WEIGHTS = np.polynomial.legendre.leggauss(12)
 _LARGEST_TURN = 1.0  # rad
 _PARTS = 8  # of the span between two points
 _MOST_STEPS = 50  # of Newton's method, which takes four
-_JUMP = 1e-9  # of the length: within it, a curvature jumps beside clothoids
 
 
 class CenterLine(Protocol):
@@ -153,7 +153,7 @@ class SegmentLine:
         if (self.first == self.last).all():
             return SampledInput(breaks, np.append(self.first, self.last[-1]), "previous")
         jumps = np.append(np.flatnonzero(self.last[:-1] != self.first[1:]) + 1, len(self.first))
-        times = np.append(breaks[:-1], breaks[jumps] - _JUMP * breaks[-1])
+        times = np.append(breaks[:-1], breaks[jumps] - SHORTEST_JUMP * breaks[-1])
         times[-1] = breaks[-1]
         order = np.argsort(times, kind="stable")
         return SampledInput(times[order], np.append(self.first, self.last[jumps - 1])[order])

@@ -131,7 +131,7 @@ def _equivalent(s: EquationInputs, alpha: Operand, ratio: Operand) -> Operand:
         size = m.atan(m.sqrt(m.tan(alpha) ** 2 + ratio**2 + tiny))
     else:
         size = m.sqrt(alpha**2 + ratio**2 + tiny)
-    return m.where_negative(alpha, -size, size)
+    return size * m.side(alpha)
 
 
 def overturning_moment(s: EquationInputs, Fy: Operand) -> Operand:

@@ -138,7 +138,7 @@ class _Mirrored:
         return TireForces(other.Fx, -other.Fy, -other.Mx, other.My, -other.Mz)
 
 
-class _Body:
+class _SprungBody:
     """A car's body with the coordinates x, y, z, ψ, θ, φ of a point, and the loads on it.
 
     The point Q is the mass center of the whole car at rest. u and v are horizontal, forward and to
@@ -191,7 +191,7 @@ class _Wheel:
 
 
 def _wheel(
-    car: _Body,
+    car: _SprungBody,
     name: str,
     seat: me.Point,
     steering: Any,
@@ -311,7 +311,7 @@ def sprung_double_track(
     I_x, I_y, m_uf, m_ur, k_t = sm.symbols("I_x I_y m_uf m_ur k_t")
     k_f, k_r, c_f, c_r, K_f, K_r = sm.symbols("k_f k_r c_f c_r K_f K_r")
     drive, brake, rho, c_dA, c_lf, c_lr = sm.symbols("k_d k_b rho c_dA c_lA_f c_lA_r")
-    body = _Body(h)
+    body = _SprungBody(h)
     N, B = body.N, body.B
     sprung = m - m_uf - m_ur
     ahead = (m_ur * b - m_uf * a) / sprung  # of the sprung mass center, and its height above that

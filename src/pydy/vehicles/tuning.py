@@ -36,3 +36,8 @@ POSITIONS_PER_ARM = 16
 """Number of positions by which a suspension is followed while its wheel travels by the length of an
 arm. An arm turns by about a sixteenth of a radian between them, for which Newton's method takes
 three steps; too few would let it reach another branch of the closed loop."""
+
+SHORTEST_JUMP = 1e-9
+"""Length within which the curvature of a track jumps where a straight meets an arc, relative to the
+length of the track: samples of the curvature are linear between places. Twice as long moves a place
+by that share; rounding of arc lengths is a millionth of it."""

@@ -12,7 +12,7 @@ from pydy._checks import instance, number, positive, shown
 from pydy.vehicles.cars import GRAVITY
 
 
-class _Numbers:
+class _PositiveValues:
     """Fields that are finite numbers, some of them positive or not negative."""
 
     _POSITIVE: ClassVar[tuple[str, ...]] = ()
@@ -31,7 +31,7 @@ class _Numbers:
 
 
 @dataclass(frozen=True)
-class FrameBody(_Numbers):
+class FrameBody(_PositiveValues):
     """Mass, mass centre and moments of inertia of the rear frame or of the front frame.
 
     Axes are those of the upright vehicle with straight steering: x forward from the rear contact
@@ -76,7 +76,7 @@ class FrameBody(_Numbers):
 
 
 @dataclass(frozen=True)
-class WheelBody(_Numbers):
+class WheelBody(_PositiveValues):
     """A wheel of a two-wheeler.
 
     Parameters
@@ -150,7 +150,7 @@ class Rider(FrameBody):
 
 
 @dataclass(frozen=True)
-class TwoWheeler(_Numbers):
+class TwoWheeler(_PositiveValues):
     """Constants of a bicycle: two frames that are hinged at the steering axis, and two wheels.
 
     Parameters

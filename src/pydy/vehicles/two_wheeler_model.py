@@ -22,7 +22,7 @@ _ENDS = ("f", "r")  # front, rear, as tires and their stiffnesses are given
 
 
 @dataclass
-class Contacts:
+class WheelContacts:
     """How the wheels touch the road: numbers and expressions, of the front and the rear wheel.
 
     `tires` is None for wheels that roll without slip; `relaxation` has the lengths, where zero is
@@ -36,7 +36,7 @@ class Contacts:
 
 
 @dataclass
-class _Parts:
+class _Assemblies:
     """What the bodies, wheels and hinges of a vehicle add to its Definition and its System."""
 
     coordinates: list[TimeFunction] = field(default_factory=list)
@@ -79,7 +79,7 @@ class Vehicle:
     """
 
     def __init__(self, data: TwoWheeler, rider: Rider | None) -> None:
-        parts = self.parts = _Parts()
+        parts = self.parts = _Assemblies()
         self.g = parts.constant("g", GRAVITY)
         self.wheelbase = parts.constant("L", data.wheelbase)
         c, lam = parts.constant("c", data.trail), parts.constant("lam", data.steer_axis_tilt)
@@ -257,7 +257,9 @@ class Vehicle:
         return {"f": front, "r": self.g * sum(m for m, _ in self.moments) - front}
 
 
-def two_wheeler(vehicle: Vehicle, data: TwoWheeler, contacts: Contacts, speed: float) -> System:
+def two_wheeler(
+    vehicle: Vehicle, data: TwoWheeler, contacts: WheelContacts, speed: float
+) -> System:
     """Return the System of a vehicle whose wheels roll, or slip on tires."""
     parts, N = vehicle.parts, vehicle.N
     loads = vehicle.loads()

@@ -23,7 +23,7 @@ from pydy.vehicles.two_wheeler_data import (
     TwoWheeler,
     WheelBody,
 )
-from pydy.vehicles.two_wheeler_model import Contacts, Vehicle, two_wheeler
+from pydy.vehicles.two_wheeler_model import Vehicle, WheelContacts, two_wheeler
 
 __all__ = [
     "BICYCLES",
@@ -120,7 +120,7 @@ def bicycle(
     if rider is not None:
         instance(rider, Rider, "`rider`")
     equations = Vehicle(vehicle, rider)
-    return two_wheeler(equations, vehicle, Contacts(pair, stiffness, damping, lengths), speed)
+    return two_wheeler(equations, vehicle, WheelContacts(pair, stiffness, damping, lengths), speed)
 
 
 def motorcycle(
@@ -188,7 +188,7 @@ def motorcycle(
     if pair is None:
         pair = _linear_tires(equations, vehicle)
     lengths = (vehicle.front_relaxation, vehicle.rear_relaxation)
-    return two_wheeler(equations, vehicle, Contacts(pair, stiffness, damping, lengths), speed)
+    return two_wheeler(equations, vehicle, WheelContacts(pair, stiffness, damping, lengths), speed)
 
 
 def _linear_tires(equations: Vehicle, vehicle: Motorcycle) -> tuple[LinearTire, LinearTire]:
