@@ -24,7 +24,7 @@ export PYTHONDONTWRITEBYTECODE :=
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help demo test test-near test-slow test-whole times test-browser test-fuzz test-mechanisms test-mutations test-lowest test-newest test-pyright test-arm64 test-undefined docs bench bench-analysis bench-control bench-pages bench-peers bench-solvers bench-states solvers-ir three clean
+.PHONY: help demo test test-near test-slow test-whole times test-browser test-fuzz test-mechanisms test-mutations test-lowest test-newest test-pyright test-arm64 test-undefined docs bench bench-analysis bench-control bench-million bench-pages bench-peers bench-solvers bench-states solvers-ir three clean
 
 help:
 	@echo "make demo   install into $(VENV), run the bicycle demo, plot and animate it into build/"
@@ -49,6 +49,7 @@ help:
 	@echo "make bench-pages  pages that simulate: times real time, and how long a drag takes"
 	@echo "make bench-analysis  Jacobians over their functions; linear models, trims and fits; sensitivities against other packages'"
 	@echo "make bench-solvers  solvers against other packages', at equal error, and against odeint"
+	@echo "make bench-million  a million bicycles with constraints and events: threads, a Dask cluster"
 	@echo "make bench-states  calls with many states, over their kernels in the cache"
 	@echo "make solvers-ir  write the compiled loops of the solvers as LLVM IR, after a change of them"
 	@echo "make three  bundle three.js for the animation page anew (needs npm and a network)"
@@ -148,6 +149,10 @@ bench-pages: $(VENV)/.installed-test $(VENV)/.installed-browser
 bench-analysis: $(VENV)/.installed-test $(PEERS)/.installed
 	$(PY) benchmarks/analysis.py
 	$(PY) benchmarks/derivatives.py --peer-python $(PEERS_PY)
+
+# A million trajectories, on threads and on a Dask cluster: five minutes on two free cores.
+bench-million: $(VENV)/.installed-test
+	$(PY) benchmarks/many_bicycles.py
 
 bench-states: $(VENV)/.installed-test
 	$(PY) benchmarks/many_states.py

@@ -12,6 +12,7 @@ sys.path.insert(0, str(Path(__file__).parents[1] / "benchmarks"))
 
 import trees
 from harness import frozen
+from harness.bicycles import Costs
 from harness.program import assembly_of
 from harness.samples import samples
 from harness.written_down import arm_written_down, pendulum_written_down, rods_written_down
@@ -63,3 +64,13 @@ def test_the_arm_written_down_moves_as_the_one_made_of_bodies_does(monkeypatch):
     expected = System(trees.definition(made)).evaluate_ode(x[0])
     found = run(block_program(assembly_of(model), "rates"), np.zeros(1), x, r, p)[0]
     np.testing.assert_allclose(found.ravel(), expected, rtol=1e-10)
+
+
+def test_the_time_on_a_cluster_counts_rounds_of_blocks_and_the_clients_work():
+    costs = Costs(trajectory=0.5, serial=0.25, block=2.0, start=3.0)
+    # Ten blocks of eight on four cores: three rounds of 4 s, 20 s for all values, 20 s for blocks.
+    assert costs.seconds(80, 8, 4) == 3.0 + 20.0 + 20.0 + 3 * 4.0
+    assert costs.efficiency(80, 8, 4) == 40.0 / (4 * 55.0)
+    alone = Costs(trajectory=0.5, serial=0.0, block=0.0, start=0.0)
+    assert alone.efficiency(80, 8, 10) == 1.0
+    assert alone.efficiency(80, 8, 20) == 0.5

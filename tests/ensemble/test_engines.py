@@ -1,5 +1,6 @@
 """Where an ensemble is computed changes nothing: threads, Dask's schedulers, stores that resume."""
 
+import importlib
 import os
 import pickle
 import signal
@@ -201,3 +202,54 @@ def test_a_bar_counts_samples(reference, capsys):
     system, values, _ = reference
     system.integrate_ensemble(**values, progress=True)
     assert "100/100" in capsys.readouterr().err
+
+
+def test_a_task_carries_the_values_of_its_samples_once_and_dask_takes_none_apart(monkeypatch):
+    delayed = importlib.import_module("dask.delayed")
+    system = pendulum()
+    values, opened = random_values(system, 4000), []
+    take_apart = delayed.unpack_collections
+
+    def counted(expression, **options):
+        opened.append(type(expression))
+        return take_apart(expression, **options)
+
+    monkeypatch.setattr(delayed, "unpack_collections", counted)
+    lazy = system.integrate_ensemble(**values, chunks=1000, reduce="final")
+    tasks = [
+        task for key, task in dict(lazy.__dask_graph__()).items() if str(key).startswith("_compute")
+    ]
+    varied = sum(map(len, values.values()))
+    assert len(tasks) == 4
+    for task in tasks:  # values of eight bytes, and the names of arrays
+        assert 8000 * varied < len(pickle.dumps(task)) < 8000 * varied + 20_000
+    # What a variable of a block needs: its function, its arguments and an index. No arrays.
+    variables = len(lazy.data_vars)
+    assert len(opened) <= 4 * (8 + 8 * variables)
+    assert np.ndarray not in opened
+
+
+@pytest.mark.parametrize("logged", [1, 3])
+def test_reduced_events_of_lanes_need_no_object_for_each_event(monkeypatch, logged):
+    from pydy.ensemble import model
+    from pydy.solvers import Event
+
+    system = pendulum(ode_solver="dop853")
+    event = Event(system.speeds[1], name="turning")
+    values = random_values(system, 40)
+    values["constants"][constant(system, "g")] *= 20.0
+    built = []
+    record = model.EventRecord
+    monkeypatch.setattr(model, "EventRecord", lambda *a: built.append(a) or record(*a))
+    results = system.integrate_ensemble(**values, events=[event], reduce=("events", logged))
+    assert not built
+    assert results.turning_count.sum() > 20
+    for k in (0, 17, 39):
+        for kind, columns in values.items():
+            setattr(system, kind, {symbol: column[k] for symbol, column in columns.items()})
+        alone = system.simulate(events=[event])
+        times = [e.time for e in alone.events]
+        assert results.turning_count[k] == len(times)
+        expected = np.full(logged, np.nan)
+        expected[: len(times)] = times[:logged]
+        assert same_bits(results.turning_times[k], expected)

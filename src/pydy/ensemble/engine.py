@@ -6,7 +6,8 @@ import os
 import time
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, ThreadPoolExecutor, wait
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import partial
 from math import prod
 from threading import Event, Lock, Thread
 from typing import TYPE_CHECKING, Any, TypeVar
@@ -215,12 +216,13 @@ class Ensemble:
         dask = require("dask", "ensemble", "`chunks`")
         array = require("dask.array", "ensemble", "`chunks`")
         work = dask.delayed(self.work, traverse=False)
-        compute = dask.delayed(_compute, pure=False)
         example = self._example()
         forms = self._forms(example)
         tasks: dict[tuple[int, ...], tuple[Any, Block]] = {}
         for position, block in blocks:
-            tasks[position] = compute(work, self.samples.in_block(block), forms), block
+            # Bound to the function: as arguments, Dask would take all their arrays and names apart.
+            compute = partial(_compute, samples=self._sent(block), forms=forms)
+            tasks[position] = dask.delayed(compute, pure=False)(work), block
         numbers = [
             -(-length // size) for length, size in zip(self.samples.shape, self.sizes, strict=True)
         ]
@@ -236,6 +238,14 @@ class Ensemble:
 
         variables = {n: LabelledArray(v.dims, gather(n, v), v.attrs) for n, v in example.items()}
         return self._dataset(variables)
+
+    def _sent(self, block: Block) -> Samples:
+        """Return the samples of a block for a Dask task.
+
+        Coordinates are labels for the user's function; they double what is sent.
+        """
+        part = self.samples.in_block(block)
+        return part if self.work.function else replace(part, coordinates={})
 
     def _example(self) -> dict[str, LabelledArray]:
         """Return the results of the first sample, which define names, sizes and types of all."""
@@ -279,10 +289,15 @@ class Ensemble:
         elif pending:
             dask = require("dask", "ensemble", "`store`")
             work = dask.delayed(self.work, traverse=False)
-            write = dask.delayed(_compute_and_write, pure=False)
             run = uuid4().hex
+
+            def write(block: Block) -> Any:
+                samples = self._sent(block)
+                bound = {"samples": samples, "path": path, "block": block, "run": run}
+                return dask.delayed(partial(_compute_and_write, **bound), pure=False)(work)
+
             try:
-                dask.compute([write(work, self.samples.in_block(b), path, b, run) for b in pending])
+                dask.compute([write(block) for block in pending])
             finally:
                 _ENDED.add(run)
         return stores.open_dataset(path, {} if scheduler else None)

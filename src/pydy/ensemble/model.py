@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import partial
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
 
 import numpy as np
 
@@ -243,6 +243,16 @@ class EnsembleModel:
         return () if self.options.events is None else self.options.events.names
 
 
+class EventColumns(NamedTuple):
+    """The events of many samples as columns, those of a sample adjacent and in order."""
+
+    samples: np.ndarray
+    times: np.ndarray
+    events: np.ndarray  # numbers
+    before: np.ndarray  # (rows, n): the states
+    after: np.ndarray
+
+
 @dataclass(eq=False)
 class Results:
     """The results of m samples."""
@@ -252,6 +262,10 @@ class Results:
     # 'nearness': the smallest distance of the projected constraints from a loss of rank
     statistics: dict[str, np.ndarray]
     records: dict[int, list[EventRecord]] = field(default_factory=dict)  # by sample
+    # The events of samples without an entry in `records`. Objects are built only for samples that
+    # need them: of a million samples, arrays are enough for most.
+    columns_of_events: EventColumns | None = None
+    event_names: tuple[str, ...] = ()
     # (n, k, m, times): sensitivities of the states, then of the outputs of `SampleMotions`
     columns: np.ndarray | None = None
     outputs: np.ndarray | None = None  # (o, m, times), of `SampleMotions`
@@ -262,7 +276,7 @@ class Results:
         self.states[:, indices] = source.states
         for name in self.statistics.keys() & source.statistics.keys():
             self.statistics[name][indices] = source.statistics[name]
-        self.records |= {int(indices[k]): records for k, records in source.records.items()}
+        self.records |= {int(indices[k]): source.events_of(k) for k in source.recorded()}
         self.event_warnings += source.event_warnings
 
     def note(self, k: int, info: Mapping[str, Any]) -> None:
@@ -274,7 +288,43 @@ class Results:
 
     def resets(self, k: int) -> list[EventRecord]:
         """Return the events that changed the state of sample k."""
-        return [e for e in self.records.get(k, ()) if (e.after != e.before).any()]
+        return [e for e in self.events_of(k) if (e.after != e.before).any()]
+
+    def recorded(self) -> list[int]:
+        """Return the samples that have records."""
+        columns = self.columns_of_events
+        return sorted({*self.records, *(() if columns is None else columns.samples.tolist())})
+
+    def events_of(self, k: int) -> list[EventRecord]:
+        """Return the events of sample k."""
+        columns = self.columns_of_events
+        if k in self.records or columns is None:
+            return self.records.get(k, [])
+        first, last = np.searchsorted(columns.samples, [k, k + 1])
+        rows = zip(*(column[first:last] for column in columns[1:]), strict=True)
+        return [
+            EventRecord(float(t), self.event_names[event], int(event), before, after)
+            for t, event, before, after in rows
+        ]
+
+    def occurrences(self, event: int, number: int) -> tuple[np.ndarray, np.ndarray]:
+        """Return how often an event happened, (m,), and its first times, (m, number) or NaN."""
+        m = len(self.statistics["status"])
+        count, first = np.zeros(m, dtype=np.int64), np.full((m, number), np.nan)
+        if (columns := self.columns_of_events) is not None:
+            replaced = np.zeros(m, dtype=bool)
+            replaced[list(self.records)] = True
+            chosen = (columns.events == event) & ~replaced[columns.samples]
+            samples, times = columns.samples[chosen], columns.times[chosen]
+            count[:] = np.bincount(samples, minlength=m)
+            order = np.arange(len(samples)) - (np.cumsum(count) - count)[samples]
+            early = order < number
+            first[samples[early], order[early]] = times[early]
+        for k, records in self.records.items():
+            times_of_k = [record.time for record in records if record.index == event]
+            count[k] = len(times_of_k)
+            first[k, : min(number, len(times_of_k))] = times_of_k[:number]
+        return count, first
 
 
 COUNTED = ("steps", "rejected", "evaluations", "status")
@@ -433,7 +483,10 @@ class Batch:
         if tasks is not None:
             results.statistics["nearness"] = tasks.nearness()
             ended = tasks.ended(counts["status"], states[:, :, -1:])
-            results.event_warnings, results.records = tasks.event_warnings(ended), tasks.records()
+            results.event_warnings = tasks.event_warnings(ended)
+            if columns := tasks.records():
+                results.columns_of_events = EventColumns(*columns)
+                results.event_names = model.event_names
             failed = np.flatnonzero(~ended)
             if failed.size:  # the solver of single trajectories determines the reason
                 results.take(failed, self.select(failed)._one_by_one(times))

@@ -247,7 +247,7 @@ class Work:
 
     def _warn_of_resets(self, batch: Batch, results: Results, checks: ConstraintChecks) -> None:
         """Warn of the first reset of each event that violates the constraints."""
-        records = [(k, e) for k in sorted(results.records) for e in results.resets(k)]
+        records = [(k, e) for k in results.recorded() for e in results.resets(k)]
         if not records:
             return
         samples, t = [k for k, _ in records], np.array([[e.time] for _, e in records])
@@ -399,14 +399,11 @@ class Work:
         m, columns = len(results.statistics["status"]), len(self.model.columns)
         variables = {}
         for index, name in enumerate(self.model.event_names):
-            when = np.full((m, occurrences), np.nan)
+            count, when = results.occurrences(index, occurrences)
             slopes = np.full((m, occurrences, columns), np.nan)
-            count = np.zeros(m, dtype=np.int64)
-            for k, records in results.records.items():
+            for k, records in results.records.items() if columns else ():
                 mine = [record for record in records if record.index == index]
-                count[k] = len(mine)
                 for occurrence, record in enumerate(mine[:occurrences]):
-                    when[k, occurrence] = record.time
                     if record.time_sensitivity is not None:
                         slopes[k, occurrence] = record.time_sensitivity
             variables[f"{name}_count"] = LabelledArray((), count, {"role": "event"})
@@ -649,4 +646,4 @@ def _invalidate(results: Results, k: int, times: np.ndarray, reached: int, code:
         results.columns[:, :, k, reached:] = np.nan
     end = results.statistics["end_time"][k] = times[reached - 1]
     results.statistics["status"][k] = code
-    results.records[k] = [record for record in results.records.get(k, ()) if record.time <= end]
+    results.records[k] = [record for record in results.events_of(k) if record.time <= end]

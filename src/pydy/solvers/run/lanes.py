@@ -40,7 +40,6 @@ from pydy.solvers.run.workspace import (
 )
 from pydy.solvers.tableaus import method_arrays
 from pydy.solvers.tuning import LANES, LARGEST_IN_LANES, LEAST_TOLERANCE, ROUNDING, STARTING_MOVE
-from pydy.trajectory import EventRecord
 
 if TYPE_CHECKING:
     from pydy._program import Program
@@ -126,9 +125,13 @@ class LaneTasks:
         """Return warnings of expressions that stayed at zero in some samples."""
         return []
 
-    def records(self) -> dict[int, list[EventRecord]]:
-        """Return the events of each sample."""
-        return {}
+    def records(self) -> tuple[np.ndarray, ...]:
+        """Return the recorded events as columns, the events of a sample adjacent and in order.
+
+        The columns are samples, times, numbers of events, and the states before and after. There
+        are none if nothing is recorded.
+        """
+        return ()
 
 
 _NO_TASKS = LaneTasks(0)
@@ -262,20 +265,16 @@ class _EventTasks(LaneTasks):
         rows = intervals[~np.isnan(intervals).all(axis=1)]
         return [w for row in rows for w in self._events.zero_interval_warnings(row, span)]
 
-    def records(self) -> dict[int, list[EventRecord]]:
-        """Return the events of each sample, if they were recorded."""
-        records: dict[int, list[EventRecord]] = {k: [] for k in range(len(self._zero))}
-        t, names = float(self._times[0]), self._events.names
+    def records(self) -> tuple[np.ndarray, ...]:
+        """Return the recorded events as columns, as arrays: Python objects would cost a fifth."""
         if not self._logs:
-            return {}
-        for k, event in np.argwhere(self._zero).tolist():
-            x = self._x[k]
-            records[k].append(EventRecord(t, names[event], event, x.copy(), x.copy()))
-        for log in self._log:
-            samples, times, events = (column.tolist() for column in log[:3])
-            for k, t, event, x, after in zip(samples, times, events, *log[3:], strict=True):
-                records[k].append(EventRecord(t, names[event], event, x, after))
-        return records
+            return ()
+        samples, events = np.argwhere(self._zero).T
+        x = self._x[samples]
+        at_start = samples, np.full(len(samples), float(self._times[0])), events, x, x
+        columns = [np.concatenate(parts) for parts in zip(at_start, *self._log, strict=True)]
+        order = np.argsort(columns[0], kind="stable")  # a sample records its events in order
+        return tuple(column[order] for column in columns)
 
 
 @dataclass(frozen=True, eq=False)
