@@ -36,6 +36,7 @@ from pydy._problem import (
 from pydy._states import located, with_dependents
 from pydy.analysis.bounds import limits
 from pydy.analysis.fits.samples import TrialSamples, checked_trial
+from pydy.analysis.fits.trial import Trial
 from pydy.solvers import Event
 
 if TYPE_CHECKING:
@@ -69,9 +70,15 @@ class FitProblem:
         constants: Numbers = dict.fromkeys(keys)
         for trial in trials:
             constants |= check_mapping("constants", getattr(trial, "constants", None))
+        self._models = copy(model.models)  # of trials: the System's latest remain its latest
         self.base = problem_of(
             model.models, model.settings, events=events, constants=constants, hybrid=model.contacts
         )
+        if further := self._constants_of_trials(trials):
+            self.base = problem_of(
+                model.models, model.settings, events=events, constants=constants, further=further,
+                hybrid=model.contacts,
+            )  # fmt: skip
         definition = self.base.definition
         self._outputs: Numbers = {}  # names of measured expressions, and these
         self.trials = [
@@ -104,9 +111,29 @@ class FitProblem:
             raise ValueError("`parameters` must name at least one constant or state.")
         self.start = np.array(start)
         self._problems: dict[int, Problem] = {}
-        self._models = copy(model.models)  # of trials: the System's latest remain its latest
         self.limits = np.empty(0), np.empty(0)
         self.priors: list[tuple[int, float, float]] = []
+
+    def _constants_of_trials(self, trials: Sequence[object]) -> set[AnySymbol]:
+        """Return the constants that only expressions for specifieds of trials contain.
+
+        They are constants of all trials, so that these have the same constants in the same order.
+        """
+        definition, settings = self.base.definition, self.base.settings
+        symbol_index = definition.places["specifieds"]
+        further: set[AnySymbol] = set()
+        for k, trial in enumerate(trials):
+            label = f"specifieds of trial {k}"
+            if not isinstance(trial, Trial) or not trial.specifieds:
+                continue
+            specifieds = merged(check_mapping(label, trial.specifieds))
+            values = symbol_index.by_symbol(
+                merged(settings.specifieds), "specifieds", allow_others=True
+            )
+            values |= symbol_index.by_symbol(specifieds, label, allow_others=True)
+            of_trial = self._models.definition(settings.outputs, settings.forces, values, {})
+            further.update(of_trial.constants)
+        return further.difference(definition.constants)
 
     def _starting_value(self, kind: str, index: int) -> float:
         """Return the number of a state, constant or specified at the initial time."""
@@ -195,8 +222,8 @@ class FitProblem:
     def _trial_problem(self, constants: Numbers, specifieds: Numbers) -> Problem:
         """Return a Problem with measured expressions as outputs, exempt from assumptions.
 
-        Its arrays may differ from the System's: expressions among the specifieds of a trial may
-        hold symbols of their own.
+        Its specifieds may differ from the System's, its constants may not: expressions among the
+        specifieds of a trial may contain functions of time that no other trial contains.
         """
         settings = replace(
             self.base.settings,
@@ -207,7 +234,10 @@ class FitProblem:
             already_warned=set(),
         )
         events, contacts = self._events, self.model.contacts
-        return problem_of(self._models, settings, events=events, hybrid=contacts)
+        constants_of_all = self.base.definition.constants
+        return problem_of(
+            self._models, settings, events=events, further=constants_of_all, hybrid=contacts
+        )
 
     # -- bounds and priors of the parameters ------------------------------------------------------
 
