@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import sympy as sm
 
-from graphs import X, derivatives
+from graphs import P, X, derivatives, nodes_of, on_tape, values
 from pydy._graph import Graph, adjoints, jacobian
 
 x, y = X[:2]
@@ -36,6 +36,35 @@ def test_slopes_at_zero_are_the_limits_of_those_beside_it(expression, slope):
     for side in (-1e-9, 1e-9):
         near = derivatives([expression], side, 0.5, variables=(x, y))[0, 0]
         assert near == pytest.approx(slope, rel=1e-6)
+
+
+c, d = P[:2]
+
+
+@pytest.mark.parametrize(
+    ("expression", "slopes"),
+    [
+        (sm.Max(c, 0) + sm.Min(c, 0), [1.0, 0.0]),
+        (sm.Max(0, -2 * c) + sm.Min(0, -2 * c), [-2.0, 0.0]),
+        (sm.Max(c, d) + sm.Min(c, d), [1.0, 1.0]),
+        (sm.Max(d - c, 0) + sm.Min(d - c, 0), [-1.0, 1.0]),
+        (sm.Max(c, -c) * sm.sign(c), [1.0, 0.0]),
+        (sm.Max(c, d) - sm.Abs(c - d) / 2, [0.5, 0.5]),
+    ],
+)
+def test_constants_that_switch_terms_together_have_the_slope_of_both_sides(expression, slopes):
+    """They are zero: a backlash, a preload or a friction that a model may have."""
+    g, nodes = nodes_of([expression])
+    variables = [g.input("p", k) for k in range(2)]
+    forward = jacobian(g, nodes, variables).flat()
+    backward = adjoints(g, nodes, [g.one], variables)
+    np.testing.assert_array_equal(values(on_tape(g, [*forward, *backward])), [*slopes, *slopes])
+
+
+def test_a_condition_of_a_constant_selects_an_equation():
+    g, nodes = nodes_of([sm.Piecewise((x, c > 0), (2 * x, True))])
+    slope = jacobian(g, nodes, [g.input("x", 0)]).flat()
+    np.testing.assert_array_equal(values(on_tape(g, slope)), [2.0])
 
 
 def test_reverse_accumulation_takes_the_same_side():

@@ -377,15 +377,14 @@ def test_derivatives_of_two_disturbed_experiments():
                 np.ones((2, 2)), times[[0, -1]],
             )
         )  # fmt: skip
-    order = experiments[0].snapshot.definition.specifieds
+    definition = experiments[0].snapshot.definition
     open_ = np.full(5, np.inf)
     shared = [
-        ("specifieds", order.index(wind)),
-        ("constants", 0),
-        ("states", 0),
+        ("specifieds", wind),
+        ("constants", definition.constants[0]),
+        ("states", definition.states[0]),
     ]
-    place = order.index(F)
-    fit = Identification(experiments, shared, {place: 0.4}, (-open_, open_), [(0, 0.2, 0.5)])
+    fit = Identification(experiments, shared, {F: 0.4}, (-open_, open_), [(0, 0.2, 0.5)])
     fit.scheme = type(fit.scheme)("radau", 2)
     joined = _CombinedExperiments(fit, [np.array([0.0, 0.4, 1.0])] * 2)
     slope = np.array([0.0, 0.3, 0.0, 0.0, -0.2])

@@ -420,6 +420,46 @@ def test_the_specifieds_of_a_trial_may_hold_constants_of_their_own():
     assert str(system) == printed
 
 
+@BOTH
+def test_a_constant_that_one_trial_alone_contains_moves_no_other(method):
+    """Sorted by name it stands before the parameter."""
+    amplitude, t, force = sm.Symbol("A"), me.dynamicsymbols._t, me.dynamicsymbols("f0")
+    push = {force: amplitude * sm.sin(1.3 * t)}
+    system = multi_mass_spring_damper(apply_external_forces=True)
+    system.constants = {"c0": 0.0, "k0": 3.0}
+    shape = (np.sin(1.3 * TIMES) - 0.65 * np.sin(2.0 * TIMES)) / (4.0 - 1.3**2)
+    pushed, free = {"x0": 0.7 * shape}, {"x0": np.cos(2.0 * TIMES)}
+    starts = {"x0": 1.0}
+    own = Trial(TIMES, pushed, constants={amplitude: 0.7}, specifieds=push)
+    trials = [own, Trial(TIMES, free, starts)]
+    found = system.fit(["k0"], trials, method=method)
+    assert found.estimates == pytest.approx([4.0], rel=1e-6)
+    trials = [Trial(TIMES, pushed, specifieds=push), Trial(TIMES, free, starts)]
+    found = system.fit(["k0", amplitude], trials, method=method)
+    assert found.estimates == pytest.approx([4.0, 0.7], rel=1e-6)
+    system.specifieds, system.constants = push, {"c0": 0.0, "k0": 3.0, "A": 0.5}
+    trials = [Trial(TIMES, pushed), Trial(TIMES, free, starts, specifieds={force: 0.0})]
+    found = system.fit(["k0", amplitude], trials, method=method)
+    assert found.estimates == pytest.approx([4.0, 0.7], rel=1e-6)
+
+
+@BOTH
+def test_a_specified_that_one_trial_alone_contains_moves_no_other(method):
+    """The mass is pushed by f and h; a(t), of one trial, is sorted before both."""
+    q, u, f, h, own = me.dynamicsymbols("q u f h a")
+    N, O = inertial_frame()
+    P = O.locatenew("P", q * N.x)
+    mass = Definition(N, [q], [u], bodies=[me.Particle("P", P, 1)], loads=[(P, (f + h - q) * N.x)])
+    system = System(mass, specifieds={h: 0.5})
+    driven = {f: own - 3 * q, own: 3 * me.dynamicsymbols._t}  # q'' = 3 t + h - 4 q
+    swing = 0.2 * (1 - np.cos(2.0 * TIMES)) + 0.75 * (TIMES - np.sin(2.0 * TIMES) / 2)
+    trials = [
+        Trial(TIMES, {q: swing}, specifieds=driven),
+        Trial(TIMES, {q: 0.8 * (1 - np.cos(TIMES))}, specifieds={f: 0.0}),
+    ]
+    assert system.fit([h], trials, method=method).estimates == pytest.approx([0.8], rel=1e-6)
+
+
 def test_a_bar_counts_the_evaluations(oscillator, capsys):
     oscillator.constants = {"k0": 3.5}
     result = oscillator.fit(["k0"], let_go(swing(), constants={"c0": 0.2}), progress=True)

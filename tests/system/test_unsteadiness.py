@@ -78,6 +78,21 @@ def test_a_steady_motion_is_recognized_without_the_terms_of_its_rates(monkeypatc
     assert calls
 
 
+@pytest.mark.parametrize(
+    "force", [1 - 3 * V**2, 1 + X**2, 1 + X * V, 1e9 * (1 - 1e-9 * V**3)], ids=str
+)
+@pytest.mark.parametrize("times", [None, [0.0, 1e-6]])
+def test_a_model_without_a_time_of_its_own_is_warned_of(force, times):
+    """All its eigenvalues are zero at rest. What it falls through begins to act as it moves."""
+    falling = on_a_line(force, 0.0, times=times)
+    with pytest.warns(UserWarning, match=CHANGES):
+        falling.linearize()
+
+
+def test_a_body_that_falls_without_drag_has_one_model_all_along():
+    assert not on_a_line(9.81, 0.0).linearize().eigenvalues.any()
+
+
 def test_a_car_that_begins_to_turn_is_warned_of():
     """The slip angles of its tires change from those at v = r = 0, and their slopes with them."""
     car = single_track(CARS["bmw_320i"], MagicFormula(TABLE_A31))

@@ -16,7 +16,14 @@ from collections.abc import Mapping, Sequence
 from functools import reduce
 from operator import or_
 
-from pydy._graph.derivative import condition_on_side, definite, on_side, times, undefined
+from pydy._graph.derivative import (
+    condition_on_side,
+    definite,
+    on_side,
+    partials_on_side,
+    times,
+    undefined,
+)
 from pydy._graph.linear_system import LinearSystem, solve_factored
 from pydy._graph.node import Graph
 from pydy._graph.roots import is_steep, of_half_power, slope
@@ -120,14 +127,13 @@ class _Sweep:
             self.add(no, g.call("select", condition, self._zero_or_undefined(yes, no, bar), bar))
         elif op == "item":
             self.vectors.setdefault(args[0], {})[args[1]] = bar
-        elif op in OPERATIONS:
-            partials = OPERATIONS[op].partials
-            if partials is not None:  # else it is piecewise constant
-                slopes = [times(g, bar, on_side(g, d)) for d in partials(g, node, *args)]
-                if is_steep(g, node):
-                    slopes[0] = slope(g, node, bar)
-                for n, d in zip(args, slopes, strict=True):
-                    self.add(n, d)
+        elif op in OPERATIONS and OPERATIONS[op].partials is not None:
+            # Others are piecewise constant.
+            slopes = [times(g, bar, d) for d in partials_on_side(g, node)]
+            if is_steep(g, node):
+                slopes[0] = slope(g, node, bar)
+            for n, d in zip(args, slopes, strict=True):
+                self.add(n, d)
 
     def _zero_or_undefined(self, selected: int, untaken: int, bar: int) -> int:
         """Return the adjoint of the side of a switch that is not taken: zero, or NaN.

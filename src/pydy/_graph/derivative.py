@@ -106,6 +106,20 @@ def on_side(g: Graph, node: int) -> int:
     return one_sided(g, node)
 
 
+def partials_on_side(g: Graph, node: int) -> list[int]:
+    """Return the partial derivatives of a function, on the side that derivatives belong to."""
+    op, args = g.ops[node], g.args[node]
+    partials = OPERATIONS[op].partials
+    if partials is None:
+        raise TypeError(f"{op} has no derivatives")
+    nodes = partials(g, node, *args)
+    if op in ("max", "min") and g.has_steps:
+        from pydy._graph.one_sided import extremum_of_parameters
+
+        nodes = extremum_of_parameters(g, node) or nodes
+    return [on_side(g, n) for n in nodes]
+
+
 def condition_on_side(g: Graph, select: int) -> int:
     """Return the condition of a ``select`` on the side that its derivative belongs to."""
     if not g.has_steps:
@@ -218,7 +232,7 @@ def _row(
             return by_root
         by_exponent = on_side(g, operation.partials(g, node, *args)[1])
         return _combine(g, [(by_root, None, 1.0), (rows[args[1]], by_exponent, 1.0)])
-    partials = [on_side(g, d) for d in operation.partials(g, node, *args)]
+    partials = partials_on_side(g, node)
     if switched:
         # Where the radicand stays zero an infinite slope has no part in it.
         radicand_row = _without_roots_stored(g, args[0], rows)

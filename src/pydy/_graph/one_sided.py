@@ -8,8 +8,8 @@ on the side where their argument is positive, also where it is zero.
 Arguments that are multiples of one another have one sign: that of their first term is positive. The
 condition that a function of the state has a value holds on no side. A branch that is not regular at
 the switch, as √x or a quotient that a Piecewise protects, is not entered there. Conditions of time
-stay as they are, since their sides are the times before and after, and so do conditions of
-parameters, which select an equation. The solution of a linear system is the one at the point.
+stay as they are, since their sides are the times before and after, and so do those of parameters in
+a Piecewise, which select an equation. The solution of a linear system is the one at the point.
 """
 
 from __future__ import annotations
@@ -56,6 +56,20 @@ def condition_on_side(g: Graph, select: int) -> int:
     """Return the condition of a ``select`` on the side that its derivative belongs to."""
     condition, yes, no = g.args[select]
     return _condition(g, one_sided(g, condition), yes, no)
+
+
+def extremum_of_parameters(g: Graph, node: int) -> tuple[int, int] | None:
+    """Return the partial derivatives of a ``max`` or ``min`` of parameters alone, else None.
+
+    It is continuous, so that its condition selects no equation: it belongs to a side, as others do.
+    """
+    a, b = g.args[node]
+    if (_facts(g, a) | _facts(g, b)) & (_STATE | _INPUT | _TIME):
+        return None
+    a_is_greater = g.call("le", b, a) if _leads(g, a, b) else g.call("lt", b, a)
+    by_greater = g.call("select", a_is_greater, g.one, g.zero)
+    by_lesser = g.call("select", a_is_greater, g.zero, g.one)
+    return (by_greater, by_lesser) if g.ops[node] == "max" else (by_lesser, by_greater)
 
 
 def protected_conditions(g: Graph, nodes: Sequence[int]) -> list[int]:

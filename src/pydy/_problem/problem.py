@@ -195,17 +195,25 @@ def redefined(
     *,
     events: object = None,
     constants: Mapping[Any, object] | None = None,
+    further: Iterable[Any] = (),
     apart: bool = False,
     **changes: Any,
 ) -> Problem:
     """Return a Problem of the same equations with other settings, which may bring symbols.
 
-    `events` and `constants` are those of `problem_of`. The Models that it needs are not stored with
+    `events`, `constants` and `further` are those of `problem_of`. The Models that it needs are not stored with
     those of the Problem's System if it is `apart`.
     """
     models = copy(problem.model.builder) if apart else problem.model.builder
     settings = replace(problem.settings, **changes)
-    return problem_of(models, settings, events=events, constants=constants, hybrid=problem.hybrid)
+    return problem_of(
+        models,
+        settings,
+        events=events,
+        constants=constants,
+        further=further,
+        hybrid=problem.hybrid,
+    )
 
 
 def with_settings(problem: Problem, **changes: Any) -> Problem:

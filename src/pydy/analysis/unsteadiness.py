@@ -5,7 +5,8 @@ such as the position of a vehicle on the road and its heading. Rows and columns 
 count neither as a departure from equilibrium nor as a change.
 
 The other derivatives of the rates are compared with those at states of the Taylor polynomial of
-second order, ahead by parts of the time in which the fastest eigenvalue or an angle makes a radian.
+second order, ahead by parts of the time in which the fastest eigenvalue or an angle makes a radian;
+if both are at rest, in which those of the model ahead do.
 No result depends on a unit. A change that begins in a higher order of time is not seen, nor is one
 that inputs make as functions of time.
 """
@@ -25,6 +26,8 @@ from pydy.analysis.equilibrium_residual import EquilibriumResidual
 
 # Parts of the time in which an eigenvalue or an angle makes a radian.
 _STEPS = (1.0, 0.5, 0.125)
+# Times that any motion may take, whatever its unit is.
+_TIMES = 4.0 ** np.arange(-50, 51)
 
 
 def departure_that_changes_the_model(
@@ -78,7 +81,9 @@ def _changes(problem: Problem, point: EvaluationPoints, advancing: Sequence[int]
         (np.abs(rates[remaining]) * per_angle).max(initial=0.0),
         np.sqrt((np.abs(second_rates[remaining]) * per_angle).max(initial=0.0)),
     )
-    time = 1.0 / fastest if fastest > 0.0 else float(np.ptp([*problem.settings.times, problem.t]))
+    time = (
+        1.0 / fastest if fastest > 0.0 else _time_of_change(point, rates, second_rates, remaining)
+    )
     for share in _STEPS if time > 0.0 else ():
         h = share * time
         advance = h * rates + 0.5 * h**2 * second_rates
@@ -92,6 +97,24 @@ def _changes(problem: Problem, point: EvaluationPoints, advancing: Sequence[int]
         if _differ(slopes[block], slopes_ahead, units[remaining], magnitudes):
             return True
     return False
+
+
+def _time_of_change(
+    point: EvaluationPoints, rates: np.ndarray, second_rates: np.ndarray, remaining: np.ndarray
+) -> float:
+    """Return the first power of four in which the model there makes a radian, or 0.0 if none does.
+
+    The model at the state has no time: all its eigenvalues are zero. A body that falls from rest in
+    air has one as soon as it moves.
+    """
+    for h in _TIMES:
+        ahead = _advanced(point, h * rates + 0.5 * h**2 * second_rates)
+        slopes = None if ahead is None else _slopes(ahead, point)[np.ix_(remaining, remaining)]
+        if slopes is None or not np.isfinite(slopes).all():
+            continue
+        if h * np.abs(np.linalg.eigvals(slopes)).max() >= 1.0:
+            return float(h)
+    return 0.0
 
 
 def _advanced(point: EvaluationPoints, advance: np.ndarray) -> EvaluationPoints | None:

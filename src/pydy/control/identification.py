@@ -123,8 +123,8 @@ class Identification:
     def __init__(
         self,
         experiments: Sequence[Experiment],
-        shared: Sequence[tuple[str, int]],  # parameters of all: kind of symbol, and place
-        noise: Mapping[int, float],  # intensities of disturbances, by places in r
+        shared: Sequence[tuple[str, AnySymbol]],  # parameters of all, with their kinds
+        noise: Mapping[AnySymbol, float],  # intensities of disturbances, by specifieds
         limits: tuple[np.ndarray, np.ndarray],  # of shared parameters, then of each experiment's
         priors: Sequence[tuple[int, float, float]],  # parameters with mean and deviation
     ) -> None:
@@ -135,12 +135,23 @@ class Identification:
         for experiment in experiments:
             self.problems.append(self._problem(experiment))
 
+    def shared_by(self, e: Experiment) -> list[tuple[str, int]]:
+        """Return the kinds of shared parameters, and their indices in the arrays of an experiment.
+
+        These differ: expressions for specifieds may contain specifieds of one experiment alone.
+        """
+        places = e.snapshot.definition.places
+        return [(kind, places[kind].symbols.index(symbol)) for kind, symbol in self.shared]
+
+    def _disturbed_by(self, e: Experiment) -> list[int]:
+        """Return the indices of disturbances in the specifieds of an experiment."""
+        symbols = e.snapshot.definition.places["specifieds"].symbols
+        return [symbols.index(symbol) for symbol in self.noise]
+
     def _problem(self, e: Experiment) -> TranscribedProblem:
         snapshot, definition, plan = e.snapshot, e.snapshot.definition, e.snapshot.plan
-        count = len(definition.constants)
-        columns = [
-            k + count * (kind == "specifieds") for kind, k in self.shared if kind != "states"
-        ]
+        count, shared = len(definition.constants), self.shared_by(e)
+        columns = [k + count * (kind == "specifieds") for kind, k in shared if kind != "states"]
         numbers: dict[str, Any] = {
             "constants": snapshot.p,
             "specifieds": plan.inputs.values,
@@ -150,7 +161,7 @@ class Identification:
             "metric": metric_of(np.abs(e.states).max(axis=0)),
         }
         labels, constraint_labels = labels_of(definition)
-        start = (*e.unknown, *e.tied, *(k for kind, k in self.shared if kind == "states"))
+        start = (*e.unknown, *e.tied, *(k for kind, k in shared if kind == "states"))
         constraints = tuple(f"{label} at the start" for label in constraint_labels) if start else ()
         numbers["constraints"] = constraints
         for earlier, problem in zip(self.experiments, self.problems, strict=False):
@@ -164,7 +175,7 @@ class Identification:
             equations=ImplicitEquations.from_snapshot(snapshot, disturbed=self._disturbed(e)),
             states=len(definition.states),
             labels=labels,
-            controls=tuple(self.noise),
+            controls=tuple(self._disturbed_by(e)),
             control_bounds=tuple((Limit(-np.inf), Limit(np.inf)) for _ in self.noise),
             free=tuple(columns),
             noise=tuple(self.noise.values()),
@@ -174,7 +185,7 @@ class Identification:
 
     def _disturbed(self, e: Experiment) -> bool:
         """Return whether a disturbance acts on a specified that is given as an expression."""
-        return any(e.snapshot.plan.symbols[k] in e.snapshot.plan.expressions for k in self.noise)
+        return any(symbol in e.snapshot.plan.expressions for symbol in self.noise)
 
     def _rate_function(self, k: int) -> RateFunction:
         snapshot, disturbed = self.experiments[k].snapshot, self._disturbed(self.experiments[k])
@@ -331,7 +342,7 @@ class _CombinedExperiments:
         for e, transcription in zip(self.experiments, self.transcriptions, strict=True):
             slots, first = len(transcription.state_slots[0]), sum(transcription.sizes[:2])
             shared_slots, numbers = [], 0
-            for kind, k in identification.shared:
+            for kind, k in identification.shared_by(e):
                 shared_slots.append(k * slots if kind == "states" else first + numbers)
                 numbers += kind != "states"
             size = sum(transcription.sizes)

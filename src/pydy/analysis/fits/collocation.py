@@ -26,7 +26,7 @@ from pydy.control import Experiment, Identification, fitting_solver_of
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-    from pydy._sympy_types import SymbolOrName
+    from pydy._sympy_types import AnySymbol, SymbolOrName
 
 
 def collocated(
@@ -41,9 +41,7 @@ def collocated(
     disturbances = _disturbances(problem, process_noise)
     search = fitting_solver_of(*solver)
     experiments = [_experiment(problem, z, k) for k in range(len(problem.trials))]
-    index_by_kind = problem.base.definition.places
-    shared = [(kind, index_by_kind[kind].symbols.index(s)) for kind, s in problem.shared]
-    fit = Identification(experiments, shared, disturbances, problem.limits, problem.priors)
+    fit = Identification(experiments, problem.shared, disturbances, problem.limits, problem.priors)
 
     def watch(iteration: Any) -> None:
         report(1, objective=f"{iteration.objective:.4g}", gap=f"{iteration.violation:.2g}")
@@ -79,13 +77,13 @@ def collocated(
 
 def _disturbances(
     problem: FitProblem, process_noise: Mapping[SymbolOrName, float] | None
-) -> dict[int, float]:
-    """Return the intensities of white noise, by the index of the specified."""
+) -> dict[AnySymbol, float]:
+    """Return the intensities of white noise, by the symbol of the specified."""
     specifieds = problem.base.definition.places["specifieds"]
     process_noise = check_mapping("process_noise", process_noise)
     columns = specifieds.columns(process_noise, "process_noise").tolist()
     intensities = {
-        index: positive(value, f"`process_noise[{key}]`", finite=True)
+        specifieds.symbols[index]: positive(value, f"`process_noise[{key}]`", finite=True)
         for index, (key, value) in zip(columns, process_noise.items(), strict=True)
     }
     if intensities and problem.noise_is_estimated:

@@ -7,6 +7,7 @@ Shooting appends the states at the starts of segments.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
+from copy import copy
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -33,6 +34,7 @@ from pydy._problem import (
 from pydy._states import located, with_dependents
 from pydy.analysis.bounds import limits
 from pydy.analysis.fits.samples import TrialSamples, checked_trial
+from pydy.analysis.fits.trial import Trial
 
 if TYPE_CHECKING:
     from pydy._sympy_types import AnySymbol, SymbolOrName
@@ -63,7 +65,10 @@ class FitProblem:
         constants: Numbers = dict.fromkeys(keys)
         for trial in trials:
             constants |= check_mapping("constants", getattr(trial, "constants", None))
-        self.base = self._latest = redefined(model.problem, events=events, constants=constants)
+        base = redefined(model.problem, events=events, constants=constants)
+        if further := _constants_of_trials(base, trials):
+            base = redefined(model.problem, events=events, constants=constants, further=further)
+        self.base = self._latest = base
         definition = self.base.definition
         self._outputs: Numbers = {}  # names of measured expressions, and these
         self.trials = [
@@ -186,13 +191,14 @@ class FitProblem:
     def _trial_problem(self, constants: Numbers, specifieds: Numbers) -> Problem:
         """Return a Problem with measured expressions as outputs, exempt from assumptions.
 
-        Its arrays may differ from the System's: expressions among the specifieds of a trial may
-        hold symbols of their own.
+        Its specifieds may differ from the System's, its constants may not: expressions among the
+        specifieds of a trial may contain functions of time that no other trial contains.
         """
         self._latest = redefined(
             self._latest,
             events=self._events,
             apart=self._latest is self.base,
+            further=self.base.definition.constants,
             constants=constants,
             specifieds=specifieds,
             outputs={**self.base.settings.outputs, **self._outputs},
@@ -271,6 +277,28 @@ class FitProblem:
             if symbol is not None:
                 result[k] = states[self.states.index(symbol)]
         return result
+
+
+def _constants_of_trials(base: Problem, trials: Sequence[object]) -> set[AnySymbol]:
+    """Return the constants that only expressions for specifieds of trials contain.
+
+    They are constants of all trials, so that these have the same constants in the same order.
+    """
+    definition, settings = base.definition, base.settings
+    symbol_index, builder = definition.places["specifieds"], copy(base.model.builder)
+    further: set[AnySymbol] = set()
+    for k, trial in enumerate(trials):
+        label = f"specifieds of trial {k}"
+        if not isinstance(trial, Trial) or not trial.specifieds:
+            continue
+        specifieds = merged(check_mapping(label, trial.specifieds))
+        values = symbol_index.by_symbol(
+            merged(settings.specifieds), "specifieds", allow_others=True
+        )
+        values |= symbol_index.by_symbol(specifieds, label, allow_others=True)
+        of_trial = builder.definition(settings.outputs, settings.forces, values, {})
+        further.update(of_trial.constants)
+    return further.difference(definition.constants)
 
 
 def _mean_and_deviation(value: object, subject: str) -> tuple[float, float]:
