@@ -2004,9 +2004,9 @@ class System:
             As in `evaluate_ode`.
         inputs : specified or name, or iterable of them, optional
             All by default. The derivatives of a prescribed motion are inputs of their own: a
-            warning names one that matters and is missing. If a specified is given as an expression or a function, the input is an
-            addition to its value, and its feedback is part of A. Functions are differentiated
-            numerically.
+            warning names one that matters and is missing. If a specified is given as an expression
+            or a function, the input is an addition to its value, and its feedback is part of A.
+            Functions are differentiated numerically.
         outputs : state, output or name, or iterable of them, optional
             All states by default.
 
