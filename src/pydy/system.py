@@ -1987,8 +1987,8 @@ class System:
         at: StateValues | Equilibrium | None = None,
         t: ArrayLike | None = None,
         *,
-        inputs: Iterable[SymbolOrName] | None = None,
-        outputs: Iterable[SymbolOrName] | None = None,
+        inputs: SymbolOrName | Iterable[SymbolOrName] | None = None,
+        outputs: SymbolOrName | Iterable[SymbolOrName] | None = None,
     ) -> LinearModel:
         """Return the linear model of small motions that satisfy the constraints.
 
@@ -2002,11 +2002,12 @@ class System:
             found or given.
         t : float or array_like, shape (m,), optional
             As in `evaluate_ode`.
-        inputs : iterable of specifieds or names, optional
-            All by default. If a specified is given as an expression or a function, the input is an
-            addition to its value, and its feedback is part of A. Functions are differentiated
-            numerically.
-        outputs : iterable of states, outputs or names, optional
+        inputs : specified or name, or iterable of them, optional
+            All by default. The derivatives of a prescribed motion are inputs of their own: a
+            warning names one that matters and is missing. If a specified is given as an expression
+            or a function, the input is an addition to its value, and its feedback is part of A.
+            Functions are differentiated numerically.
+        outputs : state, output or name, or iterable of them, optional
             All states by default.
 
         Returns

@@ -68,6 +68,24 @@ def test_the_work_of_contacts_is_that_in_the_relative_motion():
     assert motion.energy[-1, 2] - motion.energy[0, 2] == pytest.approx(speed**2 / 2.0)
 
 
+def test_a_motion_at_other_times_has_the_work_of_contacts():
+    motion = billiard_ball().simulate(rtol=1e-10, atol=1e-10)
+    every = motion.at(motion.times[3:])
+    assert isinstance(every, type(motion))
+    close(every.contact_work, motion.contact_work[3:], 1e-12)
+    back = motion.at(motion.times[::-1]).at(motion.times[5:2:-1])
+    close(back.contact_work, motion.contact_work[5:2:-1], 1e-12)
+    again = pickle.loads(pickle.dumps(back))
+    np.testing.assert_array_equal(again.contact_work, back.contact_work)
+
+
+def test_the_work_of_an_impact_before_other_times_is_counted():
+    motion = bounces(rtol=1e-10, atol=1e-10)
+    later = motion.at([0.6, 0.8])  # the ball keeps a quarter of its energy of 9.81 m at 0.45 s
+    mass = float(motion.constants[m])
+    close(later.contact_work, [-0.75 * 9.81 * mass] * 2, 1e-8)
+
+
 def test_a_copied_motion_has_the_same_extension():
     motion = bounces()
     np.testing.assert_array_equal(copy.deepcopy(motion).at(TIMES).states, motion.at(TIMES).states)

@@ -9,7 +9,7 @@ import sympy.physics.mechanics as me
 
 from layers.libraries import Jax, Torch
 from pydy.contact import Contacts
-from pydy.errors import PyDyUserWarning
+from pydy.errors import IntegrationError, PyDyUserWarning
 from pydy.inputs import SampledInput
 from pydy.layers import motions
 from pydy.layers.layer import ArgumentPart
@@ -545,3 +545,22 @@ def test_what_is_no_array_of_numbers_is_refused_by_the_name_of_the_argument(libr
 def test_no_samples_give_no_derivatives(library):
     layer = library.layer(pendulum())
     assert np.asarray(layer.ode(library.array(np.empty((0, 6))))).shape == (0, 6)
+
+
+def test_an_error_of_a_simulation_is_raised_as_it_is(library):
+    system = pendulum(1)
+    layer, zero = library.layer(system), library.array(0.0)
+    message = r"^`dop853` met a singular mass matrix .* constant `m1`, which is zero"
+    with pytest.raises(IntegrationError, match=message):
+        layer.final(p={"m0": zero, "m1": zero})
+    with pytest.raises(IntegrationError, match=message):
+        layer.simulate(p={"m0": zero, "m1": zero})
+
+
+def test_a_compiled_function_ends_its_message_with_the_error_of_the_simulation():
+    library = Jax()
+    layer, jax = library.layer(pendulum(1)), library.jax
+    with pytest.raises(jax.errors.JaxRuntimeError) as caught:
+        jax.block_until_ready(jax.jit(lambda m: layer.final(p={"m0": m, "m1": m}))(0.0))
+    assert "\nIntegrationError: `dop853` met a singular mass matrix" in str(caught.value)
+    assert "motions.py" not in str(caught.value)  # the frames of this package are left out

@@ -494,3 +494,36 @@ def test_a_bicycle_that_rolls_steadily_is_not_warned_of(speed):
     x = upright(made, system, [speed])[0]
     system.initial_conditions = dict(zip(system.states, x, strict=True))
     close(system.linearize().A, system.linearize(x).A)
+
+
+def car_on_a_road():
+    x, u, z = me.dynamicsymbols("x, u, z")
+    m, k, c = sm.symbols("m, k, c")
+    frame, wheel = me.ReferenceFrame("N"), me.Point("W")
+    wheel.set_vel(frame, u * frame.x)
+    loads = [(wheel, (k * (z - x) + c * (z.diff() - u)) * frame.x)]
+    bodies = [me.Particle("car", wheel, m)]
+    kane = me.KanesMethod(frame, [x], [u], [x.diff() - u], bodies=bodies, forcelist=loads)
+    return System(kane, {m: 2.0, k: 100.0, c: 5.0}), x, z
+
+
+def test_the_response_to_a_motion_is_the_sum_of_those_to_its_derivatives():
+    system, x, z = car_on_a_road()
+    omega = np.array([1.0, 7.0, 30.0])
+    model = system.linearize(inputs=[z, z.diff()], outputs=x)
+    by_height, by_velocity = model.frequency_response(omega)[:, 0].T
+    exact = (100.0 + 5.0j * omega) / (100.0 - 2.0 * omega**2 + 5.0j * omega)
+    np.testing.assert_allclose(by_height + 1j * omega * by_velocity, exact, rtol=1e-13)
+
+
+def test_a_motion_without_its_derivative_as_input_is_warned_of():
+    system, _, z = car_on_a_road()
+    message = r"without its derivative `Derivative\(z\(t\), t\)`.* up to 2.5 per unit: the response"
+    with pytest.warns(PyDyUserWarning, match=message):
+        system.linearize(inputs=z)
+    with pytest.warns(PyDyUserWarning, match=message):
+        system.linearize(inputs="z", outputs="x")
+    system.linearize()  # all specifieds are inputs by default; a warning would be an error
+    system.linearize(inputs=z.diff())
+    system.constants["c"] = 0.0  # the derivative has no effect
+    system.linearize(inputs=z)

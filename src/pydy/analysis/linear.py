@@ -15,11 +15,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
-from pydy._checks import choice, listed, real_array
+from pydy._checks import choice, one_or_more, real_array
 from pydy._errors import warn_user
 from pydy._judges import (
     first_violation,
@@ -38,6 +38,7 @@ from pydy.analysis.unsteadiness import departure_that_changes_the_model
 from pydy.plot import axes_of, rows_of_axes, typeset
 
 if TYPE_CHECKING:
+    import sympy as sm
     from numpy.typing import ArrayLike
     from scipy.signal import StateSpace
 
@@ -264,8 +265,8 @@ def linearize(
     at: ArrayLike | Mapping[SymbolOrName, float] | Equilibrium | None = None,
     t: ArrayLike | None = None,
     *,
-    inputs: Iterable[SymbolOrName] | None = None,
-    outputs: Iterable[SymbolOrName] | None = None,
+    inputs: SymbolOrName | Iterable[SymbolOrName] | None = None,
+    outputs: SymbolOrName | Iterable[SymbolOrName] | None = None,
 ) -> LinearModel:
     """Return the linear model of a Problem; see `System.linearize`."""
     warn_of_missing_derivatives(problem)
@@ -275,7 +276,7 @@ def linearize(
     if definition.equations.constraints.are_present:
         _warn_of_violations(point)
     A = point.directional("rates", T)[:, free]
-    symbols = definition.specifieds if inputs is None else listed("inputs", inputs)
+    symbols = definition.specifieds if inputs is None else one_or_more("inputs", inputs)
     columns = definition.places["specifieds"].columns(symbols, "inputs").tolist()
     by_inputs = _InputDerivatives(point, columns)
     by_inputs.refuse_prescribed_motions(by_default=inputs is None)
@@ -285,6 +286,7 @@ def linearize(
     _check_finite(parts)
     if at is None and t is None:
         _warn_of_motion(problem, point)
+    _warn_of_constant_derivatives(point, columns, T, free, outputs)
     warn_of_kinks(point, T, free, columns)
     warn_of_protected_states(point, T, free, A)
     A, B, C, D, rates = (part[0] if single else part for part in parts)
@@ -400,7 +402,7 @@ def _outputs(
     """Return C, D and the outputs' names, for states and outputs of the System."""
     definition = point.definition
     m, n = point.x.shape
-    symbols = definition.states if outputs is None else listed("outputs", outputs)
+    symbols = definition.states if outputs is None else one_or_more("outputs", outputs)
     rows = definition.variables.columns(symbols, "outputs").tolist()
     by_state = np.broadcast_to(np.eye(n), (m, n, n))
     by_input = np.zeros((m, n, len(by_inputs.columns)))
@@ -413,6 +415,43 @@ def _outputs(
     D = by_inputs.with_unknowns(by_input, by_state)
     names = unique_names(definition.variables.symbols)
     return C, D, tuple(names[row] for row in rows)
+
+
+def _warn_of_constant_derivatives(
+    point: EvaluationPoints,
+    columns: list[int],
+    T: np.ndarray,
+    free: np.ndarray,
+    outputs: Iterable[SymbolOrName] | None,
+) -> None:
+    """Warn of derivatives of the inputs that change the rates or outputs and are no inputs.
+
+    The equations contain the derivatives of a prescribed motion as specifieds of their own. The
+    response to the motion is the sum of the responses to all of them.
+    """
+    definition = point.definition
+    specifieds = list(definition.specifieds)
+    inputs = {specifieds[k] for k in columns}
+    missing = [
+        specifieds.index(derivative)
+        for derivative, lower in definition.lower_derivatives.items()
+        if derivative not in inputs and not inputs.isdisjoint(lower)
+    ]
+    if not missing:
+        return
+    by_missing = _InputDerivatives(point, missing)
+    effects = [by_missing.total("rates")[:, free], _outputs(point, outputs, T, by_missing)[1]]
+    largest = np.abs(np.concatenate(effects, axis=1)).max(axis=(0, 1), initial=0.0)
+    k = int(largest.argmax())
+    if largest[k] > 0.0:
+        derivative = cast("sm.Derivative", specifieds[missing[k]])
+        warn_user(
+            f"`inputs` has a motion without its derivative `{derivative}`, which the model holds "
+            f"constant although it changes rates or outputs by up to {largest[k]:.3g} per unit: "
+            f"the response to `{derivative.expr}` is incomplete. Pass the derivatives in `inputs` "
+            "too, and sum the columns of the frequency response, that of the k-th derivative times "
+            "(iω)^k."
+        )
 
 
 def _check_finite(parts: list[np.ndarray]) -> None:

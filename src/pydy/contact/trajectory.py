@@ -148,10 +148,44 @@ class ContactTrajectory(Trajectory):
         self.impacts = [(time, impulses) for time, impulses, _ in impacts]
         self._describe({"modes": self.modes, "impacts": self.impacts})
         self._impact_work = [(time, work) for time, _, work in impacts]
+        self._whole: ContactTrajectory | None = None  # of `at`, the motion that is resampled
 
     def __getstate__(self) -> dict[str, object]:
         state = super().__getstate__()
-        return {**state, "contact_work": self.contact_work}  # it needs the dense output
+        # It needs the dense output of the whole motion.
+        return {**state, "contact_work": self.contact_work, "_whole": None}
+
+    def at(self, times: np.typing.ArrayLike) -> ContactTrajectory:
+        """Return the trajectory at other times, as `Trajectory.at` does, with `contact_work`.
+
+        Parameters
+        ----------
+        times : array_like, shape (k,)
+            Ascending or descending, within the simulated time.
+
+        Returns
+        -------
+        ContactTrajectory
+            Its `modes`, `impacts` and `events` are those of the whole motion; its `contact_work` is
+            counted from the first time of the whole motion.
+
+        Raises
+        ------
+        ValueError
+            The times are not monotonic, or one is outside the simulated time.
+        """
+        resampled = super().at(times)
+        if isinstance(resampled, ContactTrajectory):  # descending times
+            return resampled
+        result = object.__new__(type(self))
+        vars(result).update(
+            vars(resampled),
+            _segments=self._segments,
+            _names=self._names,
+            _impact_work=self._impact_work,
+            _whole=self if self._whole is None else self._whole,
+        )
+        return result
 
     @cached_property
     def contact_work(self) -> np.ndarray:
@@ -168,9 +202,13 @@ class ContactTrajectory(Trajectory):
         8 points. Without the steps, which are kept up to 128 MB, the states are interpolated
         between `times`.
         """
+        return (self if self._whole is None else self._whole)._work_until(self.times)
+
+    def _work_until(self, ends: np.ndarray) -> np.ndarray:
+        """Return the work of friction and impacts from the first time to others, shape (k,)."""
         power_names = {f"{name}_power" for name in self._names}
         powers = [k for k, symbol in enumerate(self.outputs_symbols) if str(symbol) in power_names]
-        knots = [self.times]
+        knots = [self.times, ends]
         for segment in self._segments.segments:
             inside = np.asarray(getattr(segment.dense, "starts", ()), dtype=float)
             knots += [inside, np.array([segment.start, segment.end])]
@@ -185,7 +223,7 @@ class ContactTrajectory(Trajectory):
             work[1:] = np.cumsum(half * (power @ _WEIGHTS))
         for time, impact_work in self._impact_work:
             work[nodes >= time] += impact_work
-        return work[np.searchsorted(nodes, self.times)]
+        return work[np.searchsorted(nodes, ends)]
 
 
 def contact_trajectory(

@@ -7,7 +7,7 @@ derivatives.
 
 from __future__ import annotations
 
-from functools import cache, lru_cache
+from functools import cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -105,6 +105,7 @@ def _primitives() -> tuple[Primitive, Primitive, Primitive]:
     The operands of all have the same leading axes. After the arguments of the function, `forward`
     takes a direction for each argument of `wrt`, and `backward` takes one array of weights.
     """
+    import jax.numpy as jnp
     from jax.core import ShapedArray
     from jax.extend.core import Primitive
     from jax.interpreters import ad, batching, mlir
@@ -122,7 +123,12 @@ def _primitives() -> tuple[Primitive, Primitive, Primitive]:
 
         def lowering(ctx: Any, *operands: Any, **params: object) -> Any:
             def callback(*arrays: object) -> Any:
-                outputs = host(tuple(map(np.asarray, arrays)), **params)
+                try:
+                    outputs = host(tuple(map(np.asarray, arrays)), **params)
+                except Exception as error:
+                    # XLA prints all frames before the message: those of this package say nothing.
+                    error.__traceback__ = None
+                    raise
                 return outputs if back else (outputs,)
 
             result, _, _ = mlir.emit_python_callback(
@@ -144,9 +150,13 @@ def _primitives() -> tuple[Primitive, Primitive, Primitive]:
             return outputs, ([0] * len(outputs) if back else 0)
 
         primitive.def_abstract_eval(abstract_value)
-        primitive.def_impl(
-            lambda *operands, **params: _jit(primitive, tuple(sorted(params.items())))(*operands)
-        )
+
+        def impl(*operands: Array, **params: object) -> object:
+            """Evaluate without XLA, whose callback would turn any error into one of its own."""
+            outputs = host(tuple(map(np.asarray, operands)), **params)
+            return [jnp.asarray(array) for array in outputs] if back else jnp.asarray(outputs)
+
+        primitive.def_impl(impl)
         mlir.register_lowering(primitive, lowering)
         batching.primitive_batchers[primitive] = batching_rule
 
@@ -211,14 +221,6 @@ def _primitives() -> tuple[Primitive, Primitive, Primitive]:
     ad.primitive_transposes[forward] = transpose_forward
     ad.primitive_transposes[backward] = transpose_backward
     return value, forward, backward
-
-
-@lru_cache(maxsize=64)
-def _jit(primitive: Primitive, params: tuple[tuple[str, object], ...]) -> Callable[..., object]:
-    """Return the compiled primitive, for calls outside of transformations."""
-    import jax
-
-    return jax.jit(lambda *operands: primitive.bind(*operands, **dict(params)))
 
 
 _HOSTS = {
