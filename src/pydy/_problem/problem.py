@@ -201,8 +201,8 @@ def redefined(
 ) -> Problem:
     """Return a Problem of the same equations with other settings, which may bring symbols.
 
-    `events`, `constants` and `further` are those of `problem_of`. The Models that it needs are not stored with
-    those of the Problem's System if it is `apart`.
+    `events`, `constants` and `further` are those of `problem_of`. The Models that it needs are not
+    stored with those of the Problem's System if it is `apart`.
     """
     models = copy(problem.model.builder) if apart else problem.model.builder
     settings = replace(problem.settings, **changes)

@@ -293,8 +293,8 @@ class Ensemble:
 
             def write(block: Block) -> Any:
                 samples = self._sent(block)
-                bound = {"samples": samples, "path": path, "block": block, "run": run}
-                return dask.delayed(partial(_compute_and_write, **bound), pure=False)(work)
+                task = partial(_compute_and_write, samples=samples, path=path, block=block, run=run)
+                return dask.delayed(task, pure=False)(work)
 
             try:
                 dask.compute([write(block) for block in pending])
