@@ -99,9 +99,7 @@ class Assembly:
         if known is None:
             own = self.fork()
             with collector_paused():
-                roots = getattr(own.blocks, name)
-                nodes = simplify(own.graph, roots)
-                own.graph.record_systems(roots, nodes)
+                nodes = simplify(own.graph, getattr(own.blocks, name))
             known = self._simplified[name] = (own.graph, nodes)
         return known[0].copy(), known[1]
 

@@ -22,6 +22,7 @@ def simplify(graph: Graph, roots: Sequence[int]) -> list[int]:
     # (relative pendulum); where it saves less, 0.6 % at most, for a fifth of the whole build.
     if run.run_passes(ROUND) >= 0.0075 * before:
         run.run_passes(ROUND)
+    graph.record_systems(roots, run.nodes)
     return run.nodes
 
 
