@@ -15,7 +15,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -38,7 +38,6 @@ from pydy.analysis.unsteadiness import departure_that_changes_the_model
 from pydy.plot import axes_of, rows_of_axes, typeset
 
 if TYPE_CHECKING:
-    import sympy as sm
     from numpy.typing import ArrayLike
     from scipy.signal import StateSpace
 
@@ -444,11 +443,12 @@ def _warn_of_constant_derivatives(
     largest = np.abs(np.concatenate(effects, axis=1)).max(axis=(0, 1), initial=0.0)
     k = int(largest.argmax())
     if largest[k] > 0.0:
-        derivative = cast("sm.Derivative", specifieds[missing[k]])
+        derivative = specifieds[missing[k]]
+        motion = {**definition.lower_derivatives}[derivative][0]
         warn_user(
             f"`inputs` has a motion without its derivative `{derivative}`, which the model holds "
             f"constant although it changes rates or outputs by up to {largest[k]:.3g} per unit: "
-            f"the response to `{derivative.expr}` is incomplete. Pass the derivatives in `inputs` "
+            f"the response to `{motion}` is incomplete. Pass the derivatives in `inputs` "
             "too, and sum the columns of the frequency response, that of the k-th derivative times "
             "(iω)^k."
         )
