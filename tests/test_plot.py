@@ -9,7 +9,7 @@ import sympy as sm
 import zoo
 from optional import optional
 from pydy._names import label_parts, latex_of
-from pydy.models import multi_mass_spring_damper
+from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.plot import (
     plot_constraints,
     plot_coordinates,
@@ -318,3 +318,39 @@ def test_a_run_to_compare_must_be_one():
         plot_coordinates([simulated("bare"), 5.0])
     with pytest.raises(TypeError, match="a label in `result` must be a string, got 1"):
         plot_coordinates({1: simulated("bare")})
+
+
+def test_a_unit_with_a_factor_converts_values_rates_and_sensitivities():
+    system = multi_mass_spring_damper()
+    x0, v0 = system.states
+    system.initial_conditions, system.times = {x0: 0.5}, np.linspace(0.0, 1.0, 5)
+    system.ode_solver = "dop853"
+    motion = system.simulate(sensitivities=["m0"])
+    units = {"x0": ("mm", 1000), "x0'": ("mm/s", 1000.0), "m0": ("g", 1000)}
+    (line,) = plot_coordinates(motion, units=units).lines
+    np.testing.assert_allclose(line.get_ydata()[0], 500.0)
+    ax = plot_phase(motion, x0, units=units)
+    np.testing.assert_allclose(ax.lines[0].get_ydata()[-1], 1000.0 * motion[v0][-1])
+    assert (ax.get_xlabel(), ax.get_ylabel()[-6:]) == ("$x_{0}$ (mm)", "(mm/s)")
+    ax = plot_sensitivities(motion, x0, units=units)
+    np.testing.assert_allclose(
+        ax.lines[0].get_ydata()[-1], motion.sensitivity["x0", "m0"][-1], rtol=1e-14
+    )
+    dataset = plot_coordinates(motion.to_xarray(), units=units)
+    np.testing.assert_allclose(dataset.lines[0].get_ydata()[0], 500.0)
+
+
+def test_degrees_of_a_state_need_their_factor():
+    system = n_link_pendulum_on_cart(1)
+    system.outputs = {sm.Symbol("tilt"): 180 / sm.pi * system.coordinates[1]}
+    system.initial_conditions, system.times = {"q1": np.pi / 2}, [0.0, 0.1]
+    motion = system.simulate()
+    for key, unit in {"q1": "deg", "u1": "deg/s", "q1'": "°/s"}.items():
+        message = rf"`units\[{key}\]` is '{unit}'.* pass `\('{unit}', 180/"
+        with pytest.raises(ValueError, match=message):
+            plot_states(motion, units={key: unit})
+    assert plot_outputs(motion, units={"tilt": "deg"}).lines[0].get_ydata()[0] == 90.0
+    ax = plot_quantities(motion, ["q1"], units={"q1": ("deg", 180 / np.pi)})
+    assert ax.lines[0].get_ydata()[0] == 90.0
+    with pytest.raises(ValueError, match=r"`units\[q1\]\[1\]`"):
+        plot_quantities(motion, ["q1"], units={"q1": ("deg", "180")})

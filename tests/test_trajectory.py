@@ -742,6 +742,9 @@ def test_a_name_of_another_library_is_refused_with_the_one_that_is_meant(name, m
     with pytest.raises(AttributeError, match=r"no attribute 'qqqqqq'\Z"):
         _ = trajectory.qqqqqq
     assert copy.copy(trajectory).times is not None
+    quantity = trajectory.names[0]
+    with pytest.raises(AttributeError, match=rf"Use `trajectory\['{quantity}'\]`"):
+        getattr(trajectory, quantity)
 
 
 @pytest.mark.parametrize("end", [2.0, -2.0])

@@ -525,6 +525,12 @@ class Continued:
 
         def __getattr__(self, name: str) -> Any:
             # Called for what there is not.
+            if name[0] != "_" and name in vars(self).get("_columns", ()):
+                raise AttributeError(
+                    f"A trajectory has no attribute `{name}`. Use `trajectory['{name}']` for the "
+                    "quantity.",
+                    name=name,
+                )
             if (meant := _OF_OTHER_LIBRARIES.get(name)) is not None:
                 raise AttributeError(f"A trajectory has no `{name}`. Use {meant}.", name=name)
             if name[0] != "_" and not hasattr(type(self), name):

@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, Any, Protocol, TypeAlias
 
 import numpy as np
 
-from pydy._checks import check_mapping, listed, one_or_more, refuse_twice, shown, text
+from pydy._checks import check_mapping, listed, number, one_or_more, refuse_twice, shown, text
 from pydy._dataset import ENERGIES, STATES
 from pydy._interpolation import detailed
 from pydy._names import label_parts, latex_of, name_of, some, text_of
@@ -46,7 +46,7 @@ NAMES = 3  # names that fit beside an axis of the usual height; with more, only 
 # What is drawn: a trajectory (its module imports this one), a dataset, or several of these.
 Run: TypeAlias = "NamedMotion | Dataset"
 Results: TypeAlias = "Run | Sequence[Run] | Mapping[str, Run]"
-Units: TypeAlias = "BySymbol[str] | None"
+Units: TypeAlias = "BySymbol[str | tuple[str, float]] | None"
 
 
 class NamedMotion(Protocol):
@@ -122,9 +122,8 @@ def curves_of(
             else:
                 times, values = np.asarray(run["time"]), samples_over_time(run[name])
                 latex = run[name].attrs.get("latex", "")
-            curves.append(
-                PlotCurve(name, latex, times, values, units_by_name.get(name, ""), label, k)
-            )
+            unit, factor = units_by_name.get(name, ("", 1.0))
+            curves.append(PlotCurve(name, latex, times, values * factor, unit, label, k))
     return curves
 
 
@@ -152,20 +151,35 @@ def is_trajectory(result: object) -> bool:
     return hasattr(result, "names_of")
 
 
-def units_of(result: object, units: Units) -> dict[str, str]:
-    """Return units by the names in a result; other keys, such as rates, stay as they are."""
+def units_of(result: object, units: Units) -> dict[str, tuple[str, float]]:
+    """Return units and factors by the names in a result; other keys, such as rates, stay."""
     units_by_key = check_mapping("units", units)
+    states = names_in(result, STATES)
+    units_by_name = {}
     names = []
-    for key in units_by_key:
+    for key, unit in units_by_key.items():
         try:
-            names.append(name_in(result, key))
+            name = name_in(result, key)
         except KeyError:
-            names.append(name_of(key))
+            name = name_of(key)
+        names.append(name)
+        units_by_name[name] = _unit_and_factor(unit, f"units[{key}]")
+        if isinstance(unit, str) and unit in DEGREES and name.removesuffix("'") in states:
+            raise ValueError(
+                f"`units[{key}]` is {unit!r}, a label for values that are in radians: `{name}` is "
+                "a state, and sines and cosines of states take radians. To convert, pass "
+                f"`({unit!r}, 180/np.pi)`, the unit and the factor that the values are multiplied "
+                f"by. If the equations are written in degrees, pass `({unit!r}, 1)`."
+            )
     refuse_twice(names, "units")
-    return {
-        name: text(unit, f"`units[{key}]`")
-        for name, (key, unit) in zip(names, units_by_key.items(), strict=True)
-    }
+    return units_by_name
+
+
+def _unit_and_factor(unit: object, argument: str) -> tuple[str, float]:
+    """Return the unit and the factor of an entry, which is a unit or a pair of both."""
+    if isinstance(unit, tuple) and len(unit) == 2:
+        return text(unit[0], f"`{argument}[0]`"), number(unit[1], f"`{argument}[1]`")
+    return text(unit, f"`{argument}`"), 1.0
 
 
 def check_result(result: Any) -> None:
@@ -210,8 +224,9 @@ def rate_of(result: Any, curve: PlotCurve, units: Units) -> PlotCurve:
         if curve.name in states:
             values = result.derivatives[:, states.index(curve.name)]
             name = f"{curve.name}'"
-            latex, unit = result.latex_of_rate(curve.name), units_of(result, units).get(name, "")
-            return PlotCurve(name, latex, curve.times, values, unit)
+            unit, factor = units_of(result, units).get(name, ("", 1.0))
+            latex = result.latex_of_rate(curve.name)
+            return PlotCurve(name, latex, curve.times, values * factor, unit)
     elif f"{curve.name}'" in result.data_vars:
         return curves_of(result, (), "", [f"{curve.name}'"], units)[0]
     raise ValueError(
@@ -233,6 +248,7 @@ def nothing_to_plot(description: str, result: Any) -> ValueError:
 
 
 BAND = (0.05, 0.5, 0.95)
+DEGREES = ("deg", "°", "degree", "degrees", "deg/s", "°/s", "degrees/s")
 LINES_OF_SAMPLES = 12  # of more samples a band is drawn
 LINES = ("solid", "dashed", "dotted", "dashdot")
 AXIS_SPACING = 8.0  # distance between the axes of further units, in points
@@ -259,9 +275,10 @@ def plot_coordinates(
         Which ones; all by default.
     ax : matplotlib Axes, optional
         Where to draw; a new figure by default.
-    units : mapping of symbols or str to str, optional
+    units : mapping of symbols or str to str or (str, float), optional
         Units to show with the labels; symbols that are not plotted are ignored. Where they differ,
-        each unit has an axis of its own.
+        each unit has an axis of its own. Values are not converted unless the unit comes with the
+        factor to multiply them by: ``('mm', 1000)``, ``('deg', 180/np.pi)``.
     time_unit : str, optional
         Unit to show with the time.
 
@@ -394,27 +411,23 @@ def plot_sensitivities(
         if not names:
             raise ValueError("`parameters` is empty: there is nothing to plot. None means all.")
     units_by_name = units_of(trajectory, units)
-    curves = [
-        PlotCurve(
-            parameter,
-            "",
-            trajectory.times,
-            sensitivity[quantity, parameter],
-            _quotient(units_by_name, name, parameter),
-        )
-        for parameter in names
-    ]
+    curves = []
+    for parameter in names:
+        unit, factor = _quotient(units_by_name, name, parameter)
+        values = sensitivity[quantity, parameter] * factor
+        curves.append(PlotCurve(parameter, "", trajectory.times, values, unit))
     title = f"derivatives of {name} with respect to"
     return _draw(ax, curves, f"derivatives of {name}", time_unit, title)
 
 
-def _quotient(units: dict[str, str], name: str, parameter: str) -> str:
-    """Return the unit of a derivative; parameters with several columns are ``F[0]``, ``F[1]``."""
-    above = units.get(name, "")
-    below = units.get(parameter, units.get(parameter.partition("[")[0], ""))
+def _quotient(units: dict[str, tuple[str, float]], name: str, parameter: str) -> tuple[str, float]:
+    """Return unit and factor of a derivative; of several columns, they are ``F[0]``, ``F[1]``."""
+    none = ("", 1.0)
+    above, by = units.get(name, none)
+    below, through = units.get(parameter, units.get(parameter.partition("[")[0], none))
     if not (above and below):
-        return ""
-    return f"{above}/{below}" if below.isalnum() else f"{above}/({below})"
+        return none
+    return f"{above}/{below}" if below.isalnum() else f"{above}/({below})", by / through
 
 
 def plot_states(

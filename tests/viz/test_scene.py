@@ -58,6 +58,13 @@ def test_up_is_an_axis_or_a_vector(up, expected):
 # -- motion ---------------------------------------------------------------------------------------
 
 
+@pytest.mark.parametrize("suffix", ["png", "MP4"])
+def test_a_page_is_not_written_under_the_suffix_of_a_picture(tmp_path, suffix):
+    with pytest.raises(ValueError, match=r"the name of an HTML file, .*`scene.save\(path\)`"):
+        swing().to_html(tmp_path / f"never.{suffix}")
+    assert not list(tmp_path.iterdir())
+
+
 def test_a_scene_at_rest_says_what_to_call():
     scene = swing()
     with pytest.raises(ValueError, match=r"call `scene.animate\(trajectory\)`"):

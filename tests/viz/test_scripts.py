@@ -315,6 +315,7 @@ def test_generate_visualization_json_system_simulates():
         ("create_static_html", r"Scene has no attribute .*: call `scene\.to_html\(path\)`"),
         ("remove_static_html", "one file, which you may delete"),
         ("generate_simulation_dict", r"`scene\.poses` holds the 4 x 4 matrices"),
+        ("to_png", r"Scene has no attribute `to_png`: call `scene\.save\(path\)`"),
         ("no_such_thing", "Scene has no attribute `no_such_thing`.$"),
     ],
 )

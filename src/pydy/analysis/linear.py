@@ -443,11 +443,12 @@ def _warn_of_constant_derivatives(
     largest = np.abs(np.concatenate(effects, axis=1)).max(axis=(0, 1), initial=0.0)
     k = int(largest.argmax())
     if largest[k] > 0.0:
-        derivative: Any = specifieds[missing[k]]
+        derivative = specifieds[missing[k]]
+        motion = {**definition.lower_derivatives}[derivative][0]
         warn_user(
             f"`inputs` has a motion without its derivative `{derivative}`, which the model holds "
             f"constant although it changes rates or outputs by up to {largest[k]:.3g} per unit: "
-            f"the response to `{derivative.expr}` is incomplete. Pass the derivatives in `inputs` "
+            f"the response to `{motion}` is incomplete. Pass the derivatives in `inputs` "
             "too, and sum the columns of the frequency response, that of the k-th derivative times "
             "(iω)^k."
         )

@@ -573,10 +573,15 @@ class Scene:
         Raises
         ------
         ValueError
-            `live` has an unknown key, the scene was not made by `system.scene`, or a specified is
-            given by a Python function or by samples.
+            `path` has the suffix of an image or a video, `live` has an unknown key, the scene was
+            not made by `system.scene`, or a specified is given by a Python function or by samples.
         """
         target = file_of(path, "`path`")
+        if target.suffix.lower() in (".png", ".pdf", ".svg", ".jpg", ".jpeg", ".gif", ".mp4"):
+            raise ValueError(
+                f"`path` must be the name of an HTML file, such as 'run.html', got "
+                f"{str(target)!r}. For an image or a video, call `scene.save(path)`."
+            )
         write_files({target: self.html(theme, live)})
         return target
 

@@ -18,7 +18,13 @@ if TYPE_CHECKING:
 
 
 _POSES = "`scene.poses` holds the 4 x 4 matrices of all visuals at all times"
+_SAVE = "call `scene.save(path)`, whose suffix selects the format"
 _REMEDIES = {
+    "to_png": _SAVE,
+    "to_gif": _SAVE,
+    "to_mp4": _SAVE,
+    "to_video": _SAVE,
+    "savefig": _SAVE,
     "create_static_html": "call `scene.to_html(path)`, which writes one file",
     "remove_static_html": "`scene.to_html(path)` writes one file, which you may delete",
     "generate_visualization_dict": _POSES,
