@@ -2,9 +2,10 @@
 
 import numpy as np
 import pytest
+from scipy.integrate import simpson
 from scipy.optimize import brentq
 
-from pydy.vehicles import SingleTrackCar, car_trailer, single_track
+from pydy.vehicles import LinearTire, SingleTrackCar, car_trailer, single_track
 
 CAR = SingleTrackCar(1500, 2500, 1.2, 1.5, 90e3, 110e3)
 CARAVAN = {
@@ -90,3 +91,60 @@ def test_a_slow_trailer_follows_in_the_circle_of_its_hitch():
     hitch = np.hypot(radius, behind)
     expected = np.arctan(behind / radius) + np.arcsin(CARAVAN["length"] / hitch)
     assert system.simulate()["phi"][-1] == pytest.approx(-expected, rel=1e-3)
+
+
+BARE = {name: value for name, value in CARAVAN.items() if name != "stiffness"}
+
+
+def test_linear_tires_on_all_axles_are_stiffnesses_per_load():
+    # An axle with two tires of stiffness C at the load F_0 has C·F/F_0: the hitch moves load.
+    g, m, a, b = 9.81, CAR.mass, CAR.front, CAR.rear
+    m_t, c, l, e = (CARAVAN[name] for name in ("mass", "hitch", "length", "centre"))
+    on_hitch = m_t * g * (l - e) / l
+    front = (m * g * b - on_hitch * (c - b)) / (a + b)
+    rear, behind = m * g + on_hitch - front, m_t * g * e / l
+    tire = LinearTire(4000, 50e3)
+    stiff = [50e3 / 4000 * load for load in (front, rear, behind)]
+    same = SingleTrackCar(m, CAR.yaw_inertia, a, b, *stiff[:2])
+    expected = car_trailer(same, **BARE, stiffness=stiff[2]).linearize().A
+    linear = car_trailer(CAR, tire, **BARE, trailer_tire=tire).linearize()
+    matrix = linear.A
+    assert matrix == pytest.approx(expected, rel=1e-12, abs=1e-12)
+
+
+def test_braking_in_a_turn_takes_as_much_energy_as_the_forces_take():
+    system = car_trailer(CAR, **CARAVAN, speed=20.0, free_speed=True)
+    system.specifieds = {"delta": 0.03, "F_x": -4000.0, "F_x_t": -2000.0}
+    system.times = np.linspace(0.0, 3.0, 301)
+    motion = system.simulate(rtol=1e-10, atol=1e-10)
+    states = {name: np.asarray(motion[name]) for name in ("u", "v", "r", "omega", "phi")}
+    u, v, r, w, phi = states.values()
+    F = {name: np.asarray(motion[name]) for name in ("F_f", "F_r", "F_t")}
+    c, e, l, delta = CARAVAN["hitch"], CARAVAN["centre"], CARAVAN["length"], 0.03
+    cos, sin = np.cos(phi), np.sin(phi)
+    ahead, aside = u * cos + (v - c * r) * sin, (v - c * r) * cos - u * sin
+    energy = 0.5 * (
+        CAR.mass * (u**2 + v**2) + CAR.yaw_inertia * r**2 + CARAVAN["yaw_inertia"] * (r + w) ** 2
+        + CARAVAN["mass"] * (ahead**2 + (aside - e * (r + w)) ** 2)
+    )  # fmt: skip
+    power = (
+        F["F_f"] * ((v + CAR.front * r) * np.cos(delta) - u * np.sin(delta))
+        + F["F_r"] * (v - CAR.rear * r) - 4000.0 * u
+        + F["F_t"] * (aside - l * (r + w)) - 2000.0 * ahead
+    )  # fmt: skip
+    work = simpson(power, x=system.times)
+    assert energy[-1] - energy[0] == pytest.approx(work, rel=1e-6)
+    assert u[-1] < 14.0
+
+
+def test_an_axle_without_load_cannot_have_a_tire():
+    with pytest.raises(
+        ValueError, match=r"The axle of the trailer bears -.* N: a tire needs a pos"
+    ):
+        car_trailer(CAR, **{**BARE, "centre": -1.0}, trailer_tire=LinearTire(4000, 50e3))
+
+
+@pytest.mark.parametrize("pair", [{}, {"stiffness": 7e4, "trailer_tire": LinearTire(4e3, 5e4)}])
+def test_the_trailer_has_either_a_stiffness_or_a_tire(pair):
+    with pytest.raises(ValueError, match="Pass either `stiffness` or `trailer_tire`, got"):
+        car_trailer(CAR, **BARE, **pair)

@@ -90,7 +90,7 @@ def single_track(
         forces = [-C_f * slips[0], -C_r * slips[1]]
     else:
         loads = m * g * b / (a + b), m * g * a / (a + b)
-        axles = [_axle(*axle) for axle in zip(axle_tires, slips, loads, strict=True)]
+        axles = [axle_forces(*axle) for axle in zip(axle_tires, slips, loads, strict=True)]
         forces = [side for side, _ in axles]
         moment = sum((aligning for _, aligning in axles), moment)
     # The steered wheel turns about the vertical, so that one sum of moments acts on the car.
@@ -149,7 +149,7 @@ def tires_of_axles(tires: Any) -> tuple[Any, Any] | None:
     return pair[0], pair[1]
 
 
-def _axle(tire: Any, slip: sm.Expr, load: sm.Expr) -> tuple[Any, Any]:
+def axle_forces(tire: Any, slip: sm.Expr, load: sm.Expr) -> tuple[Any, Any]:
     """Return the side force and the aligning moment of a tire and its mirror image."""
     one, other = (tire.forces(load / 2, 0, angle) for angle in (slip, -slip))
     return one.Fy - other.Fy, one.Mz - other.Mz

@@ -280,6 +280,21 @@ def _(v):
     return str(car_trailer(v, **_TRAILER))
 
 
+@target("car_trailer.tires", nothing("texts", "symbols", allowed=one_of(None)))
+def _(v):
+    return str(car_trailer(_car, v, **_TRAILER))
+
+
+@target("car_trailer.trailer_tire", nothing("texts", "symbols"))
+def _(v):
+    return str(car_trailer(_car, **{**_TRAILER, "stiffness": None}, trailer_tire=v))
+
+
+@target("car_trailer.free_speed", flags)
+def _(v):
+    return str(car_trailer(_car, **_TRAILER, free_speed=v).states)
+
+
 for _name in ("torque", "left", "right"):
 
     @target(f"differential_torques.{_name}", inputs)
