@@ -159,6 +159,7 @@ def car_trailer(
         (*axle_tires, trailer_tire), slips, loads, stiffnesses, _AXLES, strict=True
     ):
         if tire is None:
+            assert value is not None  # either it or a tire is given, see `car_trailer`
             constants[C] = value
             forces.append(-C * slip)
             moments.append(sm.Integer(0))
