@@ -9,18 +9,18 @@ from scipy.optimize import minimize
 from sympy.physics.mechanics import dynamicsymbols
 
 from pydy.errors import OptimizationError
-from pydy.vehicles import CARS, BrushTire, single_track
+from pydy.vehicles import CARS, MagicFormula, single_track
 from pydy.vehicles.tracks import gg_diagram
 from zoo.race_cars import friction_circle, point_mass
+from zoo.tires import TABLE_A31
 
 CAR = CARS["bmw_320i"]
 GRIP = 1.1  # of the rear axle in the friction ellipse
-TIRE = BrushTire(4000, stiffness=60e3, friction=0.8)
 
 
 @cache
 def car_on_tires():
-    return single_track(CAR, TIRE, speed=20.0, free_speed=True)
+    return single_track(CAR, MagicFormula(TABLE_A31), speed=20.0, free_speed=True)
 
 
 def rear_circle():
@@ -33,7 +33,7 @@ def rear_circle():
 def axle(load):
     """Return the function of the slip angle that is the side force and moment of an axle."""
     slip = sm.Symbol("slip", real=True)
-    one, other = (TIRE.forces(load / 2, 0, x) for x in (slip, -slip))
+    one, other = (MagicFormula(TABLE_A31).forces(load / 2, 0, x) for x in (slip, -slip))
     return sm.lambdify(slip, [one.Fy - other.Fy, one.Mz - other.Mz], "math")
 
 
@@ -89,7 +89,7 @@ def test_a_friction_circle_is_the_diagram_of_a_point_mass():
 
 
 @pytest.mark.parametrize("speed", [15.0, 30.0])
-def test_a_car_on_brush_tires_agrees_with_an_independent_search(speed):
+def test_a_car_on_magic_formula_tires_agrees_with_an_independent_search(speed):
     angles = np.array([0.0, 0.6, 1.5, 2.2, np.pi])
     gg = gg_diagram(car_on_tires(), speed, directions=angles, path=rear_circle())
     expected = [independent(speed, angle) for angle in angles]
