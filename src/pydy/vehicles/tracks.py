@@ -1,13 +1,11 @@
 """Tracks: roads in the plane, and the least time in which a vehicle drives along them.
 
 `Track` is a road, `read_track` reads one from a file; `along` brings a planar vehicle into
-coordinates along a track, in which `TrackSystem.least_time` finds the fastest `Lap`. `gg_diagram`
-returns the largest accelerations of a vehicle in all directions.
+coordinates along a track, in which `TrackSystem.least_time` finds the fastest `Lap`.
 """
 
 from pydy.vehicles.curvilinear import TrackSystem, along
-from pydy.vehicles.gg import GGDiagram, gg_diagram
 from pydy.vehicles.lap import Lap
 from pydy.vehicles.track import Track, read_track
 
-__all__ = ["GGDiagram", "Lap", "Track", "TrackSystem", "along", "gg_diagram", "read_track"]
+__all__ = ["Lap", "Track", "TrackSystem", "along", "read_track"]

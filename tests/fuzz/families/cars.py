@@ -51,9 +51,8 @@ from pydy.vehicles.suspensions import (
     SprungAxles,
     sprung_double_track,
 )
-from pydy.vehicles.tracks import GGDiagram, Lap, Track, TrackSystem, along, gg_diagram, read_track
+from pydy.vehicles.tracks import Lap, Track, TrackSystem, along, read_track
 from zoo import inertial_frame
-from zoo.race_cars import point_mass
 from zoo.suspended import SPATIAL
 
 _FIELDS = {
@@ -932,50 +931,3 @@ def _(v):
 @target("Lap.plot.quantity", _names)
 def _(v):
     return str(plotted(_lap().plot, quantity=v))
-
-
-def _gg(**arguments: Any) -> Any:
-    a_x, a_y = dynamicsymbols("a_x a_y")
-    usual = {"speeds": 20.0, "directions": [0.5], "path": [a_x**2 + a_y**2 <= 64.0]}
-    return gg_diagram(**{"system": point_mass(), **usual, **arguments}).acceleration
-
-
-for _name in ("system", "position"):
-
-    @target(f"gg_diagram.{_name}", _plain)
-    def _(v, name=_name):
-        return _gg(**{name: v})
-
-
-@target("gg_diagram.path", nothing("texts", "symbols"))
-def _(v):
-    return _gg(path=v)
-
-
-@target("gg_diagram.bounds", nothing("texts", "symbols", allowed=empty_or_none))
-def _(v):
-    return _gg(bounds=v)
-
-
-@target("gg_diagram.inputs", nothing("texts", "symbols", allowed=empty_or_none))
-def _(v):
-    return _gg(inputs=v)
-
-
-@target("gg_diagram.speeds", Kind(real(above=1.0, below=1e3).read, _common, compare=False))
-def _(v):
-    return _gg(speeds=v)
-
-
-_angles = array((None,), check=lambda a: np.isfinite(a).all())
-
-
-@target("gg_diagram.directions", Kind(_angles.read, ("common", "arrays"), compare=False))
-def _(v):
-    return _gg(directions=v)
-
-
-@target("GGDiagram.plot.ax", _ax)
-def _(v):
-    diagram = GGDiagram(np.ones(1), np.zeros(2), np.ones((1, 2)), np.ones((1, 2, 4)), {})
-    return str(plotted(diagram.plot, v))
