@@ -384,6 +384,27 @@ def positive(value: object, label: str, *, zero: bool = False, finite: bool = Fa
     return result
 
 
+_DEGREES = ("deg", "°", "degree", "degrees", "deg/s", "°/s", "degrees/s")
+
+
+def unit_and_factor(value: object, argument: str, state: str = "") -> tuple[str, float]:
+    """Return a unit and the factor to it, of a unit or a pair of both.
+
+    Degrees of a `state`, by its name, need a factor.
+    """
+    if isinstance(value, tuple) and len(value) == 2:
+        return text(value[0], f"`{argument}[0]`"), number(value[1], f"`{argument}[1]`")
+    unit = text(value, f"`{argument}`")
+    if state and unit in _DEGREES:
+        raise ValueError(
+            f"`{argument}` is {unit!r}, a label for values that are in radians: `{state}` is a "
+            "state, and sines and cosines of states take radians. To convert, pass "
+            f"`({unit!r}, 180/np.pi)`, the unit and the factor that the values are multiplied by. "
+            f"If the equations are written in degrees, pass `({unit!r}, 1)`."
+        )
+    return unit, 1.0
+
+
 class SymbolDict(UserDict[Any, Any]):
     """A view of a user's dictionary, in which a symbol and its name are the same key.
 

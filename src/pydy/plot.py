@@ -19,7 +19,8 @@ from typing import TYPE_CHECKING, Any, Protocol, TypeAlias
 
 import numpy as np
 
-from pydy._checks import check_mapping, listed, number, one_or_more, refuse_twice, shown, text
+from pydy import _checks as checks
+from pydy._checks import check_mapping, listed, one_or_more, refuse_twice, shown, text
 from pydy._dataset import ENERGIES, STATES
 from pydy._interpolation import detailed
 from pydy._names import label_parts, latex_of, name_of, some, text_of
@@ -153,33 +154,17 @@ def is_trajectory(result: object) -> bool:
 
 def units_of(result: object, units: Units) -> dict[str, tuple[str, float]]:
     """Return units and factors by the names in a result; other keys, such as rates, stay."""
-    units_by_key = check_mapping("units", units)
-    states = names_in(result, STATES)
-    units_by_name = {}
-    names = []
-    for key, unit in units_by_key.items():
+    units_by_name, names, states = {}, [], names_in(result, STATES)
+    for key, unit in check_mapping("units", units).items():
         try:
             name = name_in(result, key)
         except KeyError:
             name = name_of(key)
         names.append(name)
-        units_by_name[name] = _unit_and_factor(unit, f"units[{key}]")
-        if isinstance(unit, str) and unit in DEGREES and name.removesuffix("'") in states:
-            raise ValueError(
-                f"`units[{key}]` is {unit!r}, a label for values that are in radians: `{name}` is "
-                "a state, and sines and cosines of states take radians. To convert, pass "
-                f"`({unit!r}, 180/np.pi)`, the unit and the factor that the values are multiplied "
-                f"by. If the equations are written in degrees, pass `({unit!r}, 1)`."
-            )
+        state = name if name.removesuffix("'") in states else ""
+        units_by_name[name] = checks.unit_and_factor(unit, f"units[{key}]", state)
     refuse_twice(names, "units")
     return units_by_name
-
-
-def _unit_and_factor(unit: object, argument: str) -> tuple[str, float]:
-    """Return the unit and the factor of an entry, which is a unit or a pair of both."""
-    if isinstance(unit, tuple) and len(unit) == 2:
-        return text(unit[0], f"`{argument}[0]`"), number(unit[1], f"`{argument}[1]`")
-    return text(unit, f"`{argument}`"), 1.0
 
 
 def check_result(result: Any) -> None:
@@ -248,7 +233,6 @@ def nothing_to_plot(description: str, result: Any) -> ValueError:
 
 
 BAND = (0.05, 0.5, 0.95)
-DEGREES = ("deg", "°", "degree", "degrees", "deg/s", "°/s", "degrees/s")
 LINES_OF_SAMPLES = 12  # of more samples a band is drawn
 LINES = ("solid", "dashed", "dotted", "dashdot")
 AXIS_SPACING = 8.0  # distance between the axes of further units, in points

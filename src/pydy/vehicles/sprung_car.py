@@ -295,7 +295,7 @@ def sprung_double_track(
     >>> system.specifieds = {'delta': 0.03, 'T_drive': 300.0, 'T_brake': 0.0}
     >>> motion = system.simulate()
     >>> round(float(motion['phi'][-1]), 3)
-    0.058
+    0.081
     """
     instance(car, DoubleTrackCar, "`car`", "a DoubleTrackCar, such as one of CARS")
     instance(axles, SprungAxles, "`axles`", "SprungAxles, such as one of SPRUNG_AXLES")

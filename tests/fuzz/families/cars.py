@@ -657,9 +657,9 @@ def _(v):
     return str(sprung_double_track(_car, _AXLES, differential=v))
 
 
-for _name in ("speed", "drag_area", "downforce_areas"):
+for _name, _truths in (("speed", (True,)), ("drag_area", (True, False)), ("downforce_areas", ())):
 
-    @target(f"sprung_double_track.{_name}", nothing("texts", "symbols"))
+    @target(f"sprung_double_track.{_name}", nothing("texts", "symbols", allowed=one_of(*_truths)))
     def _(v, name=_name):
         return str(sprung_double_track(_car, _AXLES, **{name: v}))
 
@@ -772,7 +772,9 @@ def _on_track() -> TrackSystem:
 
 @cache
 def _lap() -> Lap:
-    return _on_track().lap(_on_track().system.simulate())
+    system = _on_track().system
+    system.times = np.linspace(0.0, 5.0, num=11)  # straight on
+    return _on_track().lap(system.simulate())
 
 
 def _through(**arguments: Any) -> Any:
