@@ -87,7 +87,7 @@ def power_limited_torque(
 ) -> Quantity:
     """Return the largest torque of an electric motor, limited by a torque and by a power.
 
-    At the shaft, behind a gear with the ratio i, it is min(i T, P/|ω|): constant up to the base
+    At the shaft, behind a gear with the ratio i, it is ``min(i T, P/|ω|)``: constant up to the base
     speed P/(i T) of the shaft, then at constant power.
 
     Parameters

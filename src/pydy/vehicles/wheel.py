@@ -300,8 +300,8 @@ class WheelContact:
             s, not smaller than the slip of the largest force.
         camber : function of time, optional
             γ' (rad), one more coordinate of the model: the tire's forces follow the camber over
-            σ_α, too, with the rate |V_x| (γ − γ')/σ_α, and γ' becomes `gamma`. By default camber
-            acts at once.
+            σ_α, too, with the rate ``|V_x| (γ − γ')/σ_α``, and γ' becomes `gamma`. By default
+            camber acts at once.
 
         Returns
         -------
