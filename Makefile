@@ -150,7 +150,7 @@ bench-analysis: $(VENV)/.installed-test $(PEERS)/.installed
 	$(PY) benchmarks/analysis.py
 	$(PY) benchmarks/derivatives.py --peer-python $(PEERS_PY)
 
-# A million trajectories, on threads and on a Dask cluster: five minutes on two free cores.
+# A million trajectories, on threads and on a Dask cluster.
 bench-million: $(VENV)/.installed-test
 	$(PY) benchmarks/many_bicycles.py
 

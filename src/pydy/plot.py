@@ -19,8 +19,15 @@ from typing import TYPE_CHECKING, Any, Protocol, TypeAlias
 
 import numpy as np
 
-from pydy import _checks as checks
-from pydy._checks import check_mapping, listed, one_or_more, refuse_twice, shown, text
+from pydy._checks import (
+    check_mapping,
+    listed,
+    one_or_more,
+    refuse_twice,
+    shown,
+    text,
+    unit_and_factor,
+)
 from pydy._dataset import ENERGIES, STATES
 from pydy._interpolation import detailed
 from pydy._names import label_parts, latex_of, name_of, some, text_of
@@ -40,7 +47,6 @@ __all__ = [
 __dir__ = __all__.copy
 
 # -- Curves from trajectories, ensembles, or several of them: what `pydy.plot` draws ---------------
-
 
 SMOOTH = 400  # segments of a curve that looks smooth
 NAMES = 3  # names that fit beside an axis of the usual height; with more, only the legend has them
@@ -162,7 +168,7 @@ def units_of(result: object, units: Units) -> dict[str, tuple[str, float]]:
             name = name_of(key)
         names.append(name)
         state = name if name.removesuffix("'") in states else ""
-        units_by_name[name] = checks.unit_and_factor(unit, f"units[{key}]", state)
+        units_by_name[name] = unit_and_factor(unit, f"units[{key}]", state)
     refuse_twice(names, "units")
     return units_by_name
 
@@ -230,7 +236,6 @@ def nothing_to_plot(description: str, result: Any) -> ValueError:
 
 
 # -- Plots -----------------------------------------------------------------------------------------
-
 
 BAND = (0.05, 0.5, 0.95)
 LINES_OF_SAMPLES = 12  # of more samples a band is drawn

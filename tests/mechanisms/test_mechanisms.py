@@ -53,6 +53,11 @@ def test_rows_that_hold_nothing_are_none(seed):
     assert checked(seed)[2] is None
 
 
+def test_nanometres_between_bodies_that_are_metres_apart_join_nothing():
+    """The difference of two far places is rounding: it gave a false warning of a further joint."""
+    assert checked(181)[2] is None
+
+
 @pytest.mark.parametrize("seed", [144, 353, 404, 832, 1843, 2454])
 def test_columns_of_rounding_are_no_unknowns_and_small_ones_are(seed):
     assert checked(seed)[2] is None

@@ -112,12 +112,7 @@ def partials_on_side(g: Graph, node: int) -> list[int]:
     partials = OPERATIONS[op].partials
     if partials is None:
         raise TypeError(f"{op} has no derivatives")
-    nodes = partials(g, node, *args)
-    if op in ("max", "min") and g.has_steps:
-        from pydy._graph.one_sided import extremum_of_parameters
-
-        nodes = extremum_of_parameters(g, node) or nodes
-    return [on_side(g, n) for n in nodes]
+    return [on_side(g, n) for n in partials(g, node, *args)]
 
 
 def condition_on_side(g: Graph, select: int) -> int:
@@ -230,7 +225,7 @@ def _row(
         by_root: Row = {-1 - node: g.one}
         if op != "pow":
             return by_root
-        by_exponent = on_side(g, operation.partials(g, node, *args)[1])
+        by_exponent = partials_on_side(g, node)[1]
         return _combine(g, [(by_root, None, 1.0), (rows[args[1]], by_exponent, 1.0)])
     partials = partials_on_side(g, node)
     if switched:

@@ -18,7 +18,7 @@ from collections.abc import Sequence
 
 from pydy._graph.node import Graph
 from pydy._graph.rewrite import make_canonical, replaced
-from pydy._program import OPERATIONS
+from pydy._program import OPERATIONS, leads
 
 _SOLUTIONS = frozenset({"item", "solve", "guard", "factor"})
 # Facts of a node: what it or any of its operands is.
@@ -58,20 +58,6 @@ def condition_on_side(g: Graph, select: int) -> int:
     return _condition(g, one_sided(g, condition), yes, no)
 
 
-def extremum_of_parameters(g: Graph, node: int) -> tuple[int, int] | None:
-    """Return the partial derivatives of a ``max`` or ``min`` of parameters alone, else None.
-
-    It is continuous, so that its condition selects no equation: it belongs to a side, as others do.
-    """
-    a, b = g.args[node]
-    if (_facts(g, a) | _facts(g, b)) & (_STATE | _INPUT | _TIME):
-        return None
-    a_is_greater = g.call("le", b, a) if _leads(g, a, b) else g.call("lt", b, a)
-    by_greater = g.call("select", a_is_greater, g.one, g.zero)
-    by_lesser = g.call("select", a_is_greater, g.zero, g.one)
-    return (by_greater, by_lesser) if g.ops[node] == "max" else (by_lesser, by_greater)
-
-
 def protected_conditions(g: Graph, nodes: Sequence[int]) -> list[int]:
     """Return conditions, true at single states, by which a Piecewise avoids a singular branch."""
     conditions = []
@@ -97,7 +83,7 @@ def _on_side(g: Graph, node: int, memo: dict[int, int]) -> int:
 def _step(g: Graph, argument: int) -> int:
     """Return 1 or −1, by the sign of an argument."""
     positive, negative = g.one, g.const(-1.0)
-    if _leads(g, argument, g.zero):
+    if leads(g, argument, g.zero):
         return g.call("select", g.call("lt", argument, g.zero), negative, positive)
     return g.call("select", g.call("lt", g.zero, argument), positive, negative)
 
@@ -126,7 +112,7 @@ def _of_comparison(g: Graph, op: str, args: tuple[int, ...]) -> str:
     facts = _facts(g, args[0]) | _facts(g, args[1])
     if not facts & _STATE and (facts & _TIME or not facts & _INPUT):
         return op
-    return "lt" if _leads(g, *args) else "le"
+    return "lt" if leads(g, *args) else "le"
 
 
 def _is_isolated(g: Graph, a: int, b: int) -> bool:
@@ -158,14 +144,3 @@ def _facts(g: Graph, node: int) -> int:
             bits |= facts[operand]
         facts.append(bits)
     return facts[node]
-
-
-def _leads(g: Graph, a: int, b: int) -> bool:
-    """Return whether the first term of a − b is positive."""
-    difference: dict[int, float] = {}
-    for node, sign in ((a, 1.0), (b, -1.0)):
-        terms = g.args[node][1] if g.ops[node] == "sum" else ((node, 1.0),)
-        for n, c in terms:
-            if g.ops[n] != "const":
-                difference[n] = difference.get(n, 0.0) + sign * c
-    return next((difference[n] > 0.0 for n in sorted(difference) if difference[n] != 0.0), True)

@@ -133,8 +133,12 @@ class Motions:
         parts = [np.zeros((len(v), 0, v.shape[-1]))]
         for body in bodies:
             k = self._bodies.index(body)
-            arm = (self._places[:, k] - self._places[:, first])[:, :, None]
-            parts.append(_sum(v[:, k], -v[:, first], np.cross(arm, w[:, first], axis=1)))
+            ends = self._places[:, [k, first]]
+            turned = np.cross((ends[:, 0] - ends[:, 1])[:, :, None], w[:, first], axis=1)
+            # The arm has the rounding errors of both places, which may be far from the first body.
+            reach = np.linalg.norm(ends, axis=2).sum(axis=1)[:, None, None]
+            size = reach * np.linalg.norm(w[:, first], axis=1, keepdims=True)
+            parts.append(_sum(v[:, k], -v[:, first], turned, size=size))
             if is_rigid(body):
                 parts.append(_sum(w[:, k], -w[:, first]))
         return np.concatenate(parts, axis=1)
@@ -146,8 +150,10 @@ class Motions:
         for n, i in enumerate(at):
             for j in at[:n]:
                 arm = self._places[:, i] - self._places[:, j]
-                towards = [np.einsum("sa,sau->su", arm, v[:, n])[:, None] for n in (i, j)]
-                rates.append(_sum(towards[0], -towards[1]))
+                towards = [np.einsum("sa,sau->su", arm, v[:, b])[:, None] for b in (i, j)]
+                reach = np.linalg.norm(self._places[:, [i, j]], axis=2).sum(axis=1)[:, None, None]
+                size = reach * np.linalg.norm(v[:, [i, j]], axis=2).sum(axis=1)[:, None]
+                rates.append(_sum(towards[0], -towards[1], size=size))
         return np.concatenate(rates, axis=1)
 
     def depends(self, j: int, velocities: np.ndarray) -> bool:
@@ -191,9 +197,12 @@ class Motions:
         return True
 
 
-def _sum(*terms: np.ndarray) -> np.ndarray:
-    """Return a sum of vectors (states, components, speeds), zero where that is rounding."""
-    sizes = sum(np.linalg.norm(term, axis=1, keepdims=True) for term in terms)
+def _sum(*terms: np.ndarray, size: np.ndarray | float = 0.0) -> np.ndarray:
+    """Return a sum of vectors (states, components, speeds), zero where that is rounding.
+
+    `size` is that of numbers from which a term was computed, if they are larger than it.
+    """
+    sizes = size + sum(np.linalg.norm(term, axis=1, keepdims=True) for term in terms)
     return _unrounded(np.asarray(sum(terms)), np.asarray(sizes))
 
 

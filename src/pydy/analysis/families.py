@@ -131,7 +131,9 @@ class Family:
 
     def functions(self, start: np.ndarray) -> Functions:
         """Return the functions for `trace`; the spectrum is that of states active at the start."""
-        residual, active = self.residual, spectra_of(self.matrices(start[None], warn=True)[0])[1]
+        residual, A = self.residual, self.matrices(start[None])[0]
+        self.warn_of_kinks(start[None], A)
+        active = spectra_of(A)[1]
         return (
             lambda z: residual.residuals(z[None])[0],
             lambda z: residual.slopes(z[None])[0],
@@ -139,13 +141,8 @@ class Family:
             lambda slopes, z: residual.sizes(slopes[None], z[None])[0],
         )
 
-    def matrices(
-        self, z: np.ndarray, warn: bool = False
-    ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Return the state matrices, all states, and the indices of the independent ones.
-
-        With `warn`, warn where the equations have kinks.
-        """
+    def matrices(self, z: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Return the state matrices, all states, and the indices of the independent ones."""
         residual = self.residual
         point = residual.point_at(z)
         T, free = point.tangents()
@@ -156,10 +153,14 @@ class Family:
                 "The equations or their derivatives are not finite at "
                 f"{self.names[-1]} = {z[int(sound.argmin()), -1]:.10g}: there is no linear model."
             )
-        if warn:
-            warn_of_kinks(point, T, free, ())
-            warn_of_protected_states(point, T, free, A)
         return A, point.x, free
+
+    def warn_of_kinks(self, z: np.ndarray, A: np.ndarray) -> None:
+        """Warn if the state matrices A at some unknowns are at kinks, or are those of a branch."""
+        point = self.residual.point_at(z)
+        T, free = point.tangents()
+        warn_of_kinks(point, T, free, ())
+        warn_of_protected_states(point, T, free, A)
 
     def models(self, values: np.ndarray, states: np.ndarray) -> np.ndarray:
         """Return the state matrices at the equilibria near some states."""
@@ -277,7 +278,7 @@ def eigenvalues(
                 report(count)
         sweep = builder.sweep()
         _ = sweep.eigenvalues  # computed here: an interruption is handled below
-        family.matrices(family.unknowns_at(sweep.values, sweep.equilibria), warn=True)
+        family.warn_of_kinks(family.unknowns_at(sweep.values, sweep.equilibria), sweep.A)
     except (KeyboardInterrupt, MemoryError) as stop:
         if not builder.done:
             raise

@@ -274,7 +274,8 @@ Object.assign(window.pydy, {
       show();
     },
     get status() { return motion.status; },
-    get busy() { return motion.dirty || motion.run !== null; },
+    /** Whether anything is still to be simulated or drawn. */
+    get busy() { return motion.dirty || motion.run !== null || player.stale; },
     /** How many seconds of motion one second computes. */
     get speed() { return (1000 * motion.simulated) / motion.cost; },
     get milliseconds() { return motion.cost; },
