@@ -121,7 +121,8 @@ def _carried(options: argparse.Namespace, largest: dict[str, Any]) -> dict[str, 
         f"{1e6 * costs.serial:.2f} µs on client and scheduler, where it sends "
         f"{largest['sent']:.0f} bytes; a block {1e3 * costs.block:.1f} ms there and "
         f"{1e3 * costs.task:.1f} ms on a worker; a worker {costs.start:.2f} s to start, and "
-        f"{100 * largest['idle'] / options.processes:.1f} % of a core for its own.\n"
+        f"{100 * largest['idle'] / options.processes:.1f} % of a core for its own "
+        f"(the scheduler {100 * largest['scheduler']:.1f} %).\n"
         "T = start + N serial + blocks overhead + ⌈blocks / cores⌉ (block trajectory + task), "
         f"N = {million:,}:\n"
     )

@@ -55,31 +55,34 @@ class Ours:
         """
         with _cluster(processes) as client:
             start = self._start(client, processes)
-            return start | self._on(client, count, block, start["idle"])
+            return start | self._on(client, count, block, start)
 
     def costs(self, count: int, processes: int, blocks: tuple[int, int]) -> list[dict[str, Any]]:
         """Integrate as `cluster`, in small and in large blocks."""
         with _cluster(processes) as client:
-            idle = self._start(client, processes)["idle"]
-            return [self._on(client, count, block, idle) for block in reversed(blocks)]
+            start = self._start(client, processes)
+            return [self._on(client, count, block, start) for block in reversed(blocks)]
 
     def _start(self, client: Any, processes: int) -> dict[str, float]:
         """Let all workers import and compile; return what each needs for it, and when idle.
 
-        A worker's own work, such as its messages to the scheduler, takes the same time of each
-        second, whatever it computes.
+        The own work of workers and scheduler, such as their messages, takes the same share of each
+        second, whatever is computed: it is counted by itself, as on a busy machine the seconds are
+        many.
         """
-        before, start = _of(client), time.perf_counter()
+        cpu, before, start = time.process_time(), _of(client), time.perf_counter()
         time.sleep(IDLE)
-        after = _of(client)
-        idle = (after - before) / (time.perf_counter() - start)
+        after, seconds = _of(client), time.perf_counter() - start
+        idle, scheduler = (after - before) / seconds, (time.process_time() - cpu) / seconds
         start = time.perf_counter()
         for _ in range(2):  # in the first, some workers may be ahead of the others
             self.bicycles.compute(64 * 8 * processes, chunks=64)
         busy = _of(client) - after - idle * (time.perf_counter() - start)
-        return {"start": busy / processes, "idle": idle}
+        return {"start": busy / processes, "idle": idle, "scheduler": scheduler}
 
-    def _on(self, client: Any, count: int, block: int | None, idle: float) -> dict[str, Any]:
+    def _on(
+        self, client: Any, count: int, block: int | None, start_costs: dict[str, float]
+    ) -> dict[str, Any]:
         before = _of(client)
         cpu, start = time.process_time(), time.perf_counter()
         dataset = self.bicycles.run(count, chunks="auto" if block is None else block)
@@ -87,7 +90,8 @@ class Ours:
         graph = dict(dataset.__dask_graph__())
         answer = self._answer(computed(dataset), cpu, start)
         return answer | {
-            "workers": _of(client) - before - idle * answer["seconds"],
+            "own": answer["own"] - start_costs["scheduler"] * answer["seconds"],
+            "workers": _of(client) - before - start_costs["idle"] * answer["seconds"],
             "built": built,
             "block": max(dataset.chunks["sample"]),
             "blocks": len(dataset.chunks["sample"]),
