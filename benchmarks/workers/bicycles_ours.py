@@ -55,20 +55,19 @@ class Ours:
         """
         with _cluster(processes) as client:
             start = self._start(client, processes)
-            return start | self._on(client, count, block, start)
+            return start | self._on(client, count, block)
 
     def costs(self, count: int, processes: int, blocks: tuple[int, int]) -> list[dict[str, Any]]:
         """Integrate as `cluster`, in small and in large blocks."""
         with _cluster(processes) as client:
-            start = self._start(client, processes)
-            return [self._on(client, count, block, start) for block in reversed(blocks)]
+            self._start(client, processes)
+            return [self._on(client, count, block) for block in reversed(blocks)]
 
     def _start(self, client: Any, processes: int) -> dict[str, float]:
         """Let all workers import and compile; return what each needs for it, and when idle.
 
-        The own work of workers and scheduler, such as their messages, takes the same share of each
-        second, whatever is computed: it is counted by itself, as on a busy machine the seconds are
-        many.
+        The own work of workers and scheduler, such as their messages, takes a share of each second,
+        whatever is computed. It is in all processor times: on a busy machine the seconds are many.
         """
         cpu, before, start = time.process_time(), _of(client), time.perf_counter()
         time.sleep(IDLE)
@@ -80,9 +79,7 @@ class Ours:
         busy = _of(client) - after - idle * (time.perf_counter() - start)
         return {"start": busy / processes, "idle": idle, "scheduler": scheduler}
 
-    def _on(
-        self, client: Any, count: int, block: int | None, start_costs: dict[str, float]
-    ) -> dict[str, Any]:
+    def _on(self, client: Any, count: int, block: int | None) -> dict[str, Any]:
         before = _of(client)
         cpu, start = time.process_time(), time.perf_counter()
         dataset = self.bicycles.run(count, chunks="auto" if block is None else block)
@@ -90,8 +87,7 @@ class Ours:
         graph = dict(dataset.__dask_graph__())
         answer = self._answer(computed(dataset), cpu, start)
         return answer | {
-            "own": answer["own"] - start_costs["scheduler"] * answer["seconds"],
-            "workers": _of(client) - before - start_costs["idle"] * answer["seconds"],
+            "workers": _of(client) - before,
             "built": built,
             "block": max(dataset.chunks["sample"]),
             "blocks": len(dataset.chunks["sample"]),
