@@ -24,18 +24,28 @@ SMOOTH_AT_ZERO = [
     (sm.exp(sm.sign(x)) * x - sm.exp(2 * sm.Heaviside(x, 0) - 1) * x, 0.0),
 ]
 """Expressions that are smooth in x at zero, with their slopes there."""
+VANISHING_TOGETHER = [
+    (sm.Abs(sm.exp(-x) - 1) * sm.sign(x), 1.0),
+    (sm.Max(x, 0) + sm.Min(sm.sin(x), 0), 1.0),
+    (sm.Max(1 - sm.exp(x), 0) - sm.Max(0, -sm.sin(x)), 0.0),
+    (sm.Abs(x**3 + y * x) * sm.sign(sm.tan(x)), 0.5),
+    (sm.Abs((y - 1) * x) * sm.sign(sm.sinh(x)), 0.5),
+    (sm.Abs(x + y - sm.Rational(1, 2)) * sm.sign(sm.exp(2 * x + 2 * y - 1) - 1), 1.0),
+    (sm.Abs(sm.Abs(x) * sm.sign(sm.tan(x)) + x) * sm.sign(sm.sinh(x)), 2.0),
+]
+"""The same of arguments that are no multiples of one another, at y = 1/2."""
 
 
-@pytest.mark.parametrize(("expression", "slope"), SMOOTH_AT_ZERO)
+@pytest.mark.parametrize(("expression", "slope"), [*SMOOTH_AT_ZERO, *VANISHING_TOGETHER])
 def test_terms_that_switch_together_have_the_slope_that_both_sides_have(expression, slope):
     assert derivatives([expression], 0.0, 0.5, variables=(x, y))[0, 0] == pytest.approx(slope)
 
 
-@pytest.mark.parametrize(("expression", "slope"), SMOOTH_AT_ZERO)
+@pytest.mark.parametrize(("expression", "slope"), [*SMOOTH_AT_ZERO, *VANISHING_TOGETHER])
 def test_slopes_at_zero_are_the_limits_of_those_beside_it(expression, slope):
     for side in (-1e-9, 1e-9):
         near = derivatives([expression], side, 0.5, variables=(x, y))[0, 0]
-        assert near == pytest.approx(slope, rel=1e-6)
+        assert near == pytest.approx(slope, rel=1e-6, abs=1e-6)
 
 
 c, d = P[:2]

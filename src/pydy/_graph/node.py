@@ -18,7 +18,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
@@ -30,6 +30,12 @@ if TYPE_CHECKING:
 # Factors of a product that are not just counted.
 _SPECIAL_FACTORS = frozenset({"const", "prod", "sum", "sqrt"})
 _STEPS = frozenset({"sign", "select"})
+
+
+class _Copied(Protocol):
+    """What a graph knows of its nodes."""
+
+    def copy(self, graph: Graph) -> _Copied: ...
 
 
 class Graph(Nodes):
@@ -44,8 +50,7 @@ class Graph(Nodes):
         super().__init__()
         self.off = off  # what its nodes are not simplified by (`pydy._graph.passes.names`)
         self.has_steps = False  # whether any node may jump, other than guards
-        self.one_sided: dict[int, int] = {}  # see `pydy._graph.one_sided`, as `facts`
-        self.facts = bytearray()
+        self.sides: _Copied | None = None  # see `pydy._graph.one_sided`
         self._counted: list[bool] = []  # whether a product only counts how often it has the node
         # Of `solve` nodes, see `pydy._graph.residuals`: b − A x in two forms, where derivatives are
         # made of it, and what they were before they were simplified.
@@ -67,8 +72,8 @@ class Graph(Nodes):
         twin.constant, twin._node_of = self.constant.copy(), self._node_of.copy()
         twin._operands, twin._counted = self._operands.copy(), self._counted.copy()
         twin.zero, twin.one, twin.off = self.zero, self.one, self.off
-        twin.has_steps, twin.one_sided = self.has_steps, {} if names else self.one_sided.copy()
-        twin.facts = bytearray() if names else self.facts.copy()
+        twin.has_steps = self.has_steps
+        twin.sides = None if names or self.sides is None else self.sides.copy(twin)
         twin.residuals, twin.systems = self.residuals.copy(), self.systems.copy()
         nodes = {}
         for old, new in (names or {}).items():
