@@ -1,5 +1,7 @@
 """Where several terms switch at one point, their derivatives are those of one side."""
 
+from random import Random
+
 import numpy as np
 import pytest
 import sympy as sm
@@ -107,3 +109,70 @@ def test_an_equality_of_parameters_selects_an_equation():
 def test_a_plateau_is_no_single_point():
     expression = sm.Piecewise((2 * x, sm.Eq(sm.Max(x, 0), 0)), (3 * x, True))
     assert derivatives([expression], -1.0, variables=(x,))[0, 0] == 2.0
+
+
+# -- random ties -----------------------------------------------------------------------------------
+
+
+def vanishing(v):
+    """Expressions that are zero where v is, of which none is a multiple of another."""
+    of_itself = [
+        v,
+        -v,
+        sm.sin(v),
+        sm.exp(v) - 1,
+        1 - sm.exp(-v),
+        v**3 + v,
+        sm.tanh(v),
+        sm.sinh(2 * v),
+    ]
+    of_others = [
+        v * (1 + y**2),
+        v * (y - 2),
+        c * v,
+        v * sm.cos(y),
+        v / (1 + y**2),
+        v * (2 + sm.sin(c)),
+    ]
+    return of_itself + of_others
+
+
+def switched(random, v):
+    """A sum of terms that switch where v = 0."""
+    a, b = random.sample(vanishing(v), 2)
+    kinds = [
+        lambda: sm.Max(a, 0) + sm.Min(b, 0),
+        lambda: sm.Abs(a) * sm.sign(b),
+        lambda: sm.Max(a, b),
+        lambda: sm.Piecewise((a, b > 0), (b, True)),
+        lambda: sm.Piecewise((a, b <= 0), (0, True)),
+    ]
+    return random.choice([1, 2, -1, sm.Rational(1, 2)]) * random.choice(kinds)()
+
+
+@pytest.mark.parametrize("seed", range(60))
+def test_at_a_random_tie_derivatives_are_those_of_one_side(seed):
+    random = Random(seed)
+    v = random.choice([x, x - y, x + 2 * y, x - c, x + y - c])
+    terms = sum(switched(random, v) for _ in range(random.randint(2, 3)))
+    other, constant = random.choice([0.5, -1.3, 0.0, 3.0]), random.choice([1.0, -0.7, 2.0])
+    place = {
+        x: 0.0,
+        x - y: other,
+        x + 2 * y: -2 * other,
+        x - c: constant,
+        x + y - c: constant - other,
+    }
+    g, nodes = nodes_of([terms])
+    variables = [g.input("x", k) for k in range(2)]
+    forward, backward = (
+        on_tape(g, slopes)
+        for slopes in (jacobian(g, nodes, variables).flat(), adjoints(g, nodes, [g.one], variables))
+    )
+
+    def slopes(program, beside=0.0):
+        return values(program, [place[v] + beside, other, 0.0, 0.0], [constant])
+
+    here, sides = slopes(forward), [slopes(forward, h) for h in (-1e-7, 1e-7)]
+    assert any(side == pytest.approx(here, rel=1e-5, abs=1e-5) for side in sides), terms
+    assert slopes(backward) == pytest.approx(here, rel=1e-12, abs=1e-12)

@@ -1,10 +1,10 @@
 """Which nodes are zero together, and whether they change their signs alike there.
 
-``exp(−x) − 1`` is zero where x is, and negative where x is positive; ``(y − 1) x`` is zero there,
-too, and has the sign of x or the other one. Nodes are evaluated along random lines through the
-space of states and specifieds, with random constants. Where one of them changes its sign, its
-zero is found to more than half of the digits. Another node is as small there only if both are zero
-together. Nodes that share isolated points alone, as x and x + y, are not zero together.
+``exp(−x) − 1`` is zero where x is, and its slope there is −1 times that of x; ``(y − 1) x`` is zero
+there, too, and the ratio of the slopes depends on the state. Nodes are evaluated along random lines
+through the space of states and specifieds, with random constants. Where one of them changes its
+sign, its zero is found to more than half of the digits. Another node is as small there only if both
+are zero together. Nodes that share isolated points alone, as x and x + y, are not zero together.
 """
 
 from __future__ import annotations
@@ -17,9 +17,9 @@ import numpy as np
 from pydy._graph.inputs import inputs_of
 from pydy._graph.node import Graph
 from pydy._graph.tuning import BESIDE, HALVINGS, LINES, NEAR, PLACES, SECANTS, ZEROS
-from pydy._rank import HALF
+from pydy._rank import DIGITS, HALF
 
-Pairs: TypeAlias = dict[tuple[int, int], set[float]]
+Pairs: TypeAlias = dict[tuple[int, int], float]
 # Returns the values of nodes, shape (samples, nodes), from the lines and the places on these.
 _Evaluator: TypeAlias = Callable[[np.ndarray, np.ndarray], np.ndarray]
 
@@ -27,8 +27,8 @@ _Evaluator: TypeAlias = Callable[[np.ndarray, np.ndarray], np.ndarray]
 def common_zeros(graph: Graph, nodes: Sequence[int]) -> Pairs:
     """Return pairs (i, j), i < j, of nodes that are zero together.
 
-    The values are the signs of their product on both sides of zeros: {1.0} if they always change
-    their signs alike, {−1.0} if always in opposite ways.
+    The values are 1.0 if they change their signs alike, −1.0 if in opposite ways, and 0.0 if that
+    may depend on the state or on constants: the ratio of their slopes differs from zero to zero.
     """
     random_lines = _RandomLines(graph, nodes)
     lines, places = np.divmod(np.arange(LINES * PLACES), PLACES)
@@ -79,7 +79,7 @@ def _multiples(sampled: np.ndarray) -> tuple[Pairs, list[int]]:
     for i in distinct.copy():
         for j in map(int, np.flatnonzero(np.abs(cosines[i, :i]) >= 1.0 - HALF)):
             if j in distinct:
-                pairs[j, i] = {float(np.sign(cosines[i, j]))}
+                pairs[j, i] = float(np.sign(cosines[i, j]))
                 distinct.remove(i)
                 break
     return pairs, distinct
@@ -108,9 +108,14 @@ def _zeros_of_several(evaluate: _Evaluator, sampled: np.ndarray, places: np.ndar
         return pairs
     before, zero, after = (evaluate(line, low + h) for h in (-BESIDE, 0.0, BESIDE))
     crosses = (np.abs(zero) <= HALF * sizes) & (np.sign(before) * np.sign(after) == -1.0)
+    ratios: dict[tuple[int, int], list[float]] = {}
     for n, (i, at) in enumerate(zip(node, crosses, strict=True)):
         for j in np.flatnonzero(at) if at[i] else ():
             if i != j:
-                pair = min(int(i), int(j)), max(int(i), int(j))
-                pairs.setdefault(pair, set()).add(float(np.sign(after[n, i] * after[n, j])))
+                a, b = min(int(i), int(j)), max(int(i), int(j))
+                slopes = after[n] - before[n]
+                ratios.setdefault((a, b), []).append(slopes[b] / slopes[a])
+    for pair, values in ratios.items():
+        is_constant = len(values) > 1 and np.ptp(values) <= DIGITS * np.abs(values[0])
+        pairs[pair] = float(np.sign(values[0])) if is_constant else 0.0
     return pairs

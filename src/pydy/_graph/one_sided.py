@@ -6,11 +6,10 @@ them belong to one side of x = 0. So the conditions and signs that a derivative 
 on the side where their argument is positive, also where it is zero: its first term that depends on
 the state, if it has several.
 
-Arguments that are zero together are on one side together, whichever form they have: where exp(−x) −
-1 depends on the same switch as x, it is negative on its side. If two of them change their signs
-alike at some states and not at others, as x and (y − 1) x, these have the sign of their slope in
-one direction, found as derivatives are. All weights of that direction are positive and differ, so
-that neither x nor x − y is zero along it.
+Arguments that are zero together are on one side together, whichever form they have: beside x,
+exp(−x) − 1 is negative. If two of them may change their signs alike or not, as x and (y − 1) x,
+they have the sign of their slope in one direction, found as derivatives are. All weights of that
+direction are positive and differ, so that neither x nor x − y is zero along it.
 
 The condition that a function of the state has a value holds on no side. A branch that is not
 regular at the switch, as √x or a quotient that a Piecewise protects, is not entered there.
@@ -22,7 +21,7 @@ one at the point.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import TypeAlias
+from typing import TYPE_CHECKING, TypeAlias
 
 from pydy._graph.common_zeros import common_zeros
 from pydy._graph.node import Graph
@@ -30,9 +29,15 @@ from pydy._graph.rewrite import make_canonical, replaced
 from pydy._graph.tuning import MOST_ARGUMENTS
 from pydy._program import OPERATIONS
 
+if TYPE_CHECKING:
+    from pydy._program import Args
+
 _SOLUTIONS = frozenset({"item", "solve", "guard", "factor"})
 # Facts of a node: what it or any of its operands is.
 _STATE, _INPUT, _TIME, _PARTLY_CONSTANT, _IRREGULAR, _SOLVED = 1, 2, 4, 8, 16, 32
+_INHERITED = 63
+# What it is itself.
+_NOT_NEGATIVE, _POSITIVE = 64, 128
 _OF_GROUP = {"x": _STATE, "r": _INPUT, "t": _TIME}
 _COMPARISONS = frozenset({"lt", "le"})
 _SWITCHES = _COMPARISONS | {"min", "max", "abs", "sign"}
@@ -209,11 +214,10 @@ class Sides:
         if any(g.ops[n] != "input" for n in moving) and 1 < len(moving) <= MOST_ARGUMENTS:
             self._join(moving, common_zeros(g, moving))
 
-    def _join(self, nodes: Sequence[int], pairs: Mapping[tuple[int, int], set[float]]) -> None:
+    def _join(self, nodes: Sequence[int], pairs: Mapping[tuple[int, int], float]) -> None:
         """Give nodes that are zero together signs of one side."""
         neighbours: dict[int, list[tuple[int, float]]] = {}
-        for (i, j), products in pairs.items():
-            product = 0.0 if len(products) > 1 else min(products)
+        for (i, j), product in pairs.items():
             neighbours.setdefault(nodes[i], []).append((nodes[j], product))
             neighbours.setdefault(nodes[j], []).append((nodes[i], product))
         reached: set[int] = set()
@@ -280,12 +284,45 @@ class Sides:
                 bits |= _PARTLY_CONSTANT
             if op in _SOLUTIONS:
                 bits |= _SOLVED
-            if op not in _REGULAR or (op == "prod" and any(e < 0 for _, e in args)):
+            if op not in _REGULAR or (op == "prod" and self._may_divide_by_zero(args)):
                 bits |= _IRREGULAR
             for operand in g.operands(n):
-                bits |= facts[operand]
-            facts.append(bits)
+                bits |= facts[operand] & _INHERITED
+            facts.append(bits | self._sign_facts(op, args))
         return facts[node]
+
+    def _may_divide_by_zero(self, factors: Sequence[tuple[int, int]]) -> bool:
+        """Return whether a product divides by what moves and is not positive by structure.
+
+        Constants are no reason: where they are zero, nothing is finite.
+        """
+        moves = _STATE | _INPUT | _TIME
+        return any(
+            e < 0 and self.facts[n] & moves and not self.facts[n] & _POSITIVE for n, e in factors
+        )
+
+    def _sign_facts(self, op: str, args: Args) -> int:
+        """Return whether a node is positive, or not negative, by structure."""
+        facts = self.facts
+        if op in ("exp", "cosh"):
+            return _POSITIVE | _NOT_NEGATIVE
+        if op in ("abs", "sqrt"):
+            return _NOT_NEGATIVE | (facts[args[0]] & _POSITIVE if op == "sqrt" else 0)
+        if op == "max":
+            return (facts[args[0]] | facts[args[1]]) & (_POSITIVE | _NOT_NEGATIVE)
+        if op == "const":
+            return (_NOT_NEGATIVE if args[0] >= 0.0 else 0) | (_POSITIVE if args[0] > 0.0 else 0)
+        if op == "prod":
+            both = _POSITIVE | _NOT_NEGATIVE
+            for n, e in args:
+                both &= facts[n] | (_NOT_NEGATIVE if e % 2 == 0 else 0)
+            return both
+        if op == "sum":
+            c0, terms = args
+            if c0 >= 0.0 and all(c > 0.0 and facts[n] & _NOT_NEGATIVE for n, c in terms):
+                is_positive = c0 > 0.0 or any(facts[n] & _POSITIVE for n, _ in terms)
+                return _NOT_NEGATIVE | (_POSITIVE if is_positive else 0)
+        return 0
 
 
 def sides_of(graph: Graph, make_rows: _MakeRows) -> Sides:
