@@ -85,19 +85,6 @@ class Graph(Nodes):
             twin._node_of["input", new] = node
         return twin
 
-    def record_systems(self, roots: Sequence[int], simplified: Sequence[int]) -> None:
-        """Record which linear system each one of simplified nodes was before.
-
-        In simplified entries constants are joined already, which residuals would join otherwise.
-        """
-        solves = [
-            [k for k in self.reachable(r) if self.ops[k] == "solve"] for r in (roots, simplified)
-        ]
-        # Of several systems nothing says which one became which.
-        if all(len(nodes) == 1 for nodes in solves):
-            (before,), (after,) = solves
-            self.systems[after] = before
-
     make = Nodes.node
 
     # -- leaves ---------------------------------------------------------------------------------
