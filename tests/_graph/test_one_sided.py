@@ -50,6 +50,14 @@ def test_slopes_at_zero_are_the_limits_of_those_beside_it(expression, slope):
         assert near == pytest.approx(slope, rel=1e-6, abs=1e-6)
 
 
+@pytest.mark.parametrize("place", [6371000.0, -(2.0**-28), 3e-9, 150.0])
+@pytest.mark.parametrize("scale", [1e-9, 1.0])
+def test_what_is_zero_together_is_so_wherever_and_however_small_it_is(place, scale):
+    away = (x - sm.Float(place, 17)) / scale
+    pulled = scale * sm.Abs(away) * sm.sign(sm.erfc(away) - 1)
+    assert derivatives([pulled], place, 0.5, variables=(x,))[0, 0] == pytest.approx(-1.0)
+
+
 c, d = P[:2]
 
 
