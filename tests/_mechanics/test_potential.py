@@ -186,9 +186,7 @@ def test_no_term_of_a_torque_without_a_potential_is_integrated(monkeypatch):
     )
     definition = Definition(frame, [*q], [*u], bodies=[wheel], loads=contact.loads())
     integrated = []
-    monkeypatch.setattr(
-        "pydy._mechanics.potential._primitive", lambda _, x: integrated.append(x)
-    )
+    monkeypatch.setattr("pydy._mechanics.potential._primitive", lambda _, x: integrated.append(x))
     found = find_potential(equations_of_definition(definition))
     assert [x.name for x in integrated] == ["z"]  # the force: constraints may fix the angles
     assert [name.split(",")[0] for name in found.unknown] == [

@@ -130,9 +130,13 @@ def may_be_exact(
         return undecided
     cells = [int(node) for pair in pairs for node in pair]
     with np.errstate(invalid="ignore"):
-        values, bounds = numbers_across(
-            graph, [*cells, *rounding_bounds(graph, cells, constants=True)], nodes, zero_rows
-        ).reshape(-1, 2, len(pairs), 4).swapaxes(0, 1)
+        values, bounds = (
+            numbers_across(
+                graph, [*cells, *rounding_bounds(graph, cells, constants=True)], nodes, zero_rows
+            )
+            .reshape(-1, 2, len(pairs), 4)
+            .swapaxes(0, 1)
+        )
         unequal = np.abs(values[..., 0] - values[..., 1]) > ROUNDED * bounds[..., :2].sum(axis=2)
         acts = (np.abs(values[..., 2:]) > ROUNDED * bounds[..., 2:]).all(axis=2)
     on_path = {row for row, bad in zip(places, (unequal & acts).any(axis=0), strict=True) if bad}
