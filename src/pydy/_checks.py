@@ -411,10 +411,10 @@ def unit_of_unconverted(value: object, argument: str, state: str = "") -> str:
     if factor != 1.0 or (state and unit in _DEGREES and isinstance(value, str)):
         radians = f" `{state}` is a state, which is in radians." if state else ""
         raise ValueError(
-            f"`{argument}` is {shown(value)}, but an ensemble's values are not converted: they, and "
-            f"what `reduce` makes of them, have the units of the model.{radians} Multiply the "
-            f"results, and set their `attrs['units']`. If the equations are written in {unit}, pass "
-            f"`({unit!r}, 1)`."
+            f"`{argument}` is {shown(value)}, but an ensemble's values are not converted: they, "
+            f"and what `reduce` makes of them, have the units of the model.{radians} Multiply the "
+            f"results, and set their `attrs['units']`. If the equations are written in {unit}, "
+            f"pass `({unit!r}, 1)`."
         )
     return unit
 

@@ -98,7 +98,7 @@ class Columns:
     def find(self, key: SymbolOrName) -> int:
         """Return the position of a quantity, given its symbol or its name."""
         names_one = isinstance(key, Hashable) and not isinstance(key, tuple)
-        k = self._index.get(key) if names_one else None
+        k: int | None = self._index.get(key) if names_one else None
         if k is None and names_one:
             k = self._index_of_name.get(name_of(key))
             if k is None and isinstance(key, str):  # as a symbol is printed: 'q1(t)'

@@ -310,7 +310,7 @@ def test_a_terminal_event_leaves_nan_and_says_so(oscillator):
         ({"units": {"weight": "kg"}}, ValueError, "neither a state nor an output"),
         ({"units": {"x0": "m", "x0(t)": "cm"}}, ValueError, "`units` gives `x0` more than once"),
         ({"units": {"x0": "deg"}}, ValueError, r"is 'deg', .* not converted.* pass `\('deg', 1\)`"),
-        ({"units": {"x0": ("mm", 1e3)}}, ValueError, r"`units\[x0\]` is \('mm', 1000.0\), but an ens"),
+        ({"units": {"x0": ("mm", 1e3)}}, ValueError, r"`units\[x0\]` is \('mm', 1000.0\), but a"),
         ({"resume": True}, ValueError, "needs `store`"),
         ({"constraints": "project"}, ValueError, "the system has none"),
     ],

@@ -163,7 +163,7 @@ def page_data(
         code, data = live.code(tracks.anchors)
         factors = [settings.units.get(label, _NO_UNIT)[1] for label in animation.series]
         data["series"] = [
-            [*source, factor] for source, factor in zip(data["series"], factors, strict=True)
+            [*source, factor] for source, factor in zip(live.plotted, factors, strict=True)
         ]
         live_data["live"] = {"code": code, **data, "buckets": BUCKETS}
     clocks = _Clocks()
