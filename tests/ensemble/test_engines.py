@@ -205,6 +205,23 @@ def test_a_bar_counts_samples(reference, capsys):
     assert "100/100" in capsys.readouterr().err
 
 
+def test_a_bar_is_shown_before_the_first_samples_with_feedback(capsys):
+    pytest.importorskip("tqdm")
+    system, shown = pendulum(), []
+    force = next(iter(system.specifieds_symbols))
+
+    def feedback(x, t):
+        if not shown:
+            shown.append(capsys.readouterr().err)
+        return -x[0]
+
+    system.specifieds = {force: feedback}
+    values = random_values(system, 40)
+    system.integrate_ensemble(**values, workers=1, progress=True)
+    assert "0/40" in shown[0]
+    assert "40/40" in capsys.readouterr().err
+
+
 def test_a_task_carries_the_values_of_its_samples_once_and_dask_takes_none_apart(monkeypatch):
     delayed = importlib.import_module("dask.delayed")
     system = pendulum()

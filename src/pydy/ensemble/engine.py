@@ -122,9 +122,14 @@ class Ensemble:
                 pending.remove(block)
 
         try:
-            if not model.in_lanes and share > number and self._is_brief(pending[0], compute_block):
-                pending[:] = self._blocks(min(SMALLEST_BLOCK, share))
-            self._on_threads(tuple(pending), compute_block)
+            with progress_of(self.progress, " samples", self.samples.size) as report:
+                if not model.in_lanes and share > number:
+                    first = pending[0]
+                    if self._is_brief(first, compute_block):  # it is computed once more
+                        pending[:] = self._blocks(min(SMALLEST_BLOCK, share))
+                    else:
+                        report(_size(first))
+                self._on_threads(tuple(pending), compute_block, report)
         except (KeyboardInterrupt, MemoryError) as error:
             if not results:
                 raise
@@ -182,17 +187,18 @@ class Ensemble:
         self,
         blocks: Sequence[Block],
         do: Callable[[Block, Callable[[], bool]], None],
+        report: Callable[[int], None],
     ) -> None:
-        """Call ``do(block, stop)`` for each block; calls return soon after ``stop()`` is true."""
-        stop, total = Event(), sum(map(_size, blocks))
+        """Call ``do(block, stop)`` for each block; calls return soon after ``stop()`` is true.
+
+        The numbers of samples that are computed are passed to `report`.
+        """
+        stop = Event()
         workers = _startable(min(self._threads(), len(blocks)))
         most = max(1, 2 * workers)
         todo = iter(blocks)
         running: dict[Future[None], Block] = {}
-        with (
-            progress_of(self.progress, " samples", total) as report,
-            ThreadPoolExecutor(workers, "ensemble") if workers else _SerialExecutor() as pool,
-        ):
+        with ThreadPoolExecutor(workers, "ensemble") if workers else _SerialExecutor() as pool:
             try:
                 while True:
                     while len(running) < most and (block := next(todo, None)) is not None:
@@ -294,12 +300,14 @@ class Ensemble:
         pending = stores.missing(path, [block for _, block in self.samples.blocks(self.sizes)])
         scheduler = self._scheduler()
         if scheduler is None:
-            self._on_threads(
-                pending,
-                lambda block, stop: stores.write(
-                    path, block, self.work(self.samples.in_block(block), stop)
-                ),
-            )
+            with progress_of(self.progress, " samples", sum(map(_size, pending))) as report:
+                self._on_threads(
+                    pending,
+                    lambda block, stop: stores.write(
+                        path, block, self.work(self.samples.in_block(block), stop)
+                    ),
+                    report,
+                )
         elif pending:
             dask = require("dask", "ensemble", "`store`")
             work = dask.delayed(self.work, traverse=False)

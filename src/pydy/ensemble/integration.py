@@ -71,7 +71,7 @@ def integrate_ensemble(
     resume: bool | str = False,
     workers: int | None = None,
     progress: bool = False,
-    units: Mapping[SymbolOrName, str] | None = None,
+    units: Mapping[SymbolOrName, str | tuple[str, float]] | None = None,
     options: dict[str, object],
 ) -> Dataset:
     """Integrate a Problem with many different numbers; see `System.integrate_ensemble`.
