@@ -34,6 +34,13 @@ VANISHING_TOGETHER = [
     (sm.Abs((y - 1) * x) * sm.sign(sm.sinh(x)), 0.5),
     (sm.Abs(x + y - sm.Rational(1, 2)) * sm.sign(sm.exp(2 * x + 2 * y - 1) - 1), 1.0),
     (sm.Abs(sm.Abs(x) * sm.sign(sm.tan(x)) + x) * sm.sign(sm.sinh(x)), 2.0),
+    (sm.sign(x) * sm.Max(2 * sm.Abs(x), x**2), 2.0),
+    (sm.sign(x) * sm.Min(2 * sm.Abs(x), x**2), 0.0),
+    (sm.sign(x) * sm.Max(sm.Abs(2 * x), sm.Abs(sm.exp(3 * x) - 1)), 3.0),
+    (sm.sign(x) * sm.Min(sm.Abs(2 * x), sm.Abs(sm.sin(3 * x))), 2.0),
+    (sm.sign(x) * sm.Max(sm.Abs((y - 1) * x), sm.Abs((y + 1) * x)), 1.5),
+    (sm.Abs(y * x) * sm.sign(x**3), 0.5),
+    (sm.Abs(y * x) * sm.sign(x**3) + sm.Abs(x - y), -0.5),
 ]
 """The same of arguments that are no multiples of one another, at y = 1/2."""
 

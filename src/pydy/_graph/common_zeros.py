@@ -4,7 +4,8 @@
 there, too, and the ratio of the slopes depends on the state. Nodes are evaluated along random lines
 through the space of states and specifieds, with random constants. Where one of them changes its
 sign, its zero is found to the last digit. Others that are zero at the same number are zero together
-with it. Nodes that share isolated points alone, as x and x + y, are not.
+with it. Nodes that share isolated points alone, as x and x + y, are not. x² − |x| is zero with x,
+too, and does not change its sign.
 """
 
 from __future__ import annotations
@@ -30,15 +31,23 @@ from pydy._graph.tuning import (
 from pydy._rank import DIGITS, ROUNDED
 
 Pairs: TypeAlias = dict[tuple[int, int], float]
+Touching: TypeAlias = dict[int, float]
 # Returns the values of nodes, shape (samples, nodes), from the lines and the places on these.
 _Evaluator: TypeAlias = Callable[[np.ndarray, np.ndarray], np.ndarray]
 
 
-def common_zeros(graph: Graph, nodes: Sequence[int]) -> Pairs:
-    """Return pairs (i, j), i < j, of nodes that are zero together.
+def common_zeros(graph: Graph, nodes: Sequence[int]) -> tuple[Pairs, Touching]:
+    """Return which nodes are zero together.
 
-    The values are 1.0 if they change their signs alike, −1.0 if in opposite ways, and 0.0 if that
-    may depend on the state or on constants: the ratio of their slopes differs from zero to zero.
+    Returns
+    -------
+    pairs : dict
+        From nodes i < j that change their signs together to 1.0 if alike, −1.0 if in opposite ways,
+        and 0.0 if that may depend on the state or on constants: the ratio of their slopes differs
+        from zero to zero.
+    touching : dict
+        From nodes that do not change their signs where another one does to their sign beside these
+        zeros, or 0.0 if it is not the same everywhere.
     """
     random_lines = _RandomLines(graph, nodes)
     far = 2.0 ** np.arange(2, FARTHEST)
@@ -47,11 +56,13 @@ def common_zeros(graph: Graph, nodes: Sequence[int]) -> Pairs:
     sampled = random_lines.evaluator(nodes)(lines, at).reshape(LINES, len(places), -1)
     sampled[~np.isfinite(sampled)] = 0.0
     pairs, distinct = _multiples(sampled[:, np.abs(places) <= 2.0].reshape(-1, len(nodes)))
+    touching: Touching = {}
     if len(distinct) > 1:
         evaluate = random_lines.evaluator([nodes[k] for k in distinct])
-        others = _zeros_of_several(evaluate, sampled[..., distinct], places)
+        others, touches = _zeros_of_several(evaluate, sampled[..., distinct], places)
         pairs |= {(distinct[i], distinct[j]): sign for (i, j), sign in others.items()}
-    return pairs
+        touching = {distinct[i]: sign for i, sign in touches.items()}
+    return pairs, touching
 
 
 class _RandomLines:
@@ -99,33 +110,45 @@ def _multiples(sampled: np.ndarray) -> tuple[Pairs, list[int]]:
     return pairs, distinct
 
 
-def _zeros_of_several(evaluate: _Evaluator, sampled: np.ndarray, places: np.ndarray) -> Pairs:
-    """Return the pairs of nodes, of which none is a multiple of another."""
+def _zeros_of_several(
+    evaluate: _Evaluator, sampled: np.ndarray, places: np.ndarray
+) -> tuple[Pairs, Touching]:
+    """Return what `common_zeros` does, of nodes of which none is a multiple of another."""
     line, k, node = _intervals(sampled, places)
+    if not line.size:
+        return {}, {}
     low, high, was_positive = places[k], places[k + 1], sampled[line, k, node] > 0.0
     beside = BESIDE * np.maximum(np.abs(low), np.abs(high))
-    for _ in range(HALVINGS if line.size else 0):
+    for _ in range(HALVINGS):
         middle = 0.5 * (low + high)
         stays = (evaluate(line, middle)[np.arange(len(line)), node] > 0.0) == was_positive
         low, high = np.where(stays, middle, low), np.where(stays, high, middle)
-    pairs: Pairs = {}
-    if not line.size:
-        return pairs
     before, zero, after = (evaluate(line, low + h) for h in (-beside, 0.0 * beside, beside))
     with np.errstate(all="ignore"):
+        size = np.abs(before) + np.abs(after)
+        vanishes = np.isfinite(size) & (np.abs(zero) <= SAME_ZERO * size)
+        signs = np.sign(before) * np.sign(after)
         slopes = after - before
-        crosses = (np.sign(before) * np.sign(after) == -1.0) & np.isfinite(slopes)
-        crosses &= np.abs(zero) <= SAME_ZERO * np.abs(slopes)
     ratios: dict[tuple[int, int], list[float]] = {}
-    for n, (i, at) in enumerate(zip(node, crosses, strict=True)):
-        for j in np.flatnonzero(at) if at[i] else ():
-            if i != j:
-                a, b = min(int(i), int(j)), max(int(i), int(j))
+    touches: dict[int, set[float]] = {}
+    for n, i in enumerate(map(int, node)):
+        if not (vanishes[n, i] and signs[n, i] == -1.0):
+            continue
+        for j in map(int, np.flatnonzero(vanishes[n])):
+            if signs[n, j] == 1.0:
+                touches.setdefault(j, set()).add(float(np.sign(after[n, j])))
+            elif signs[n, j] == -1.0 and j != i:
+                a, b = min(i, j), max(i, j)
                 ratios.setdefault((a, b), []).append(slopes[n, b] / slopes[n, a])
+    pairs: Pairs = {}
     for pair, values in ratios.items():
         is_constant = len(values) > 1 and np.ptp(values) <= DIGITS * np.abs(values[0])
         pairs[pair] = float(np.sign(values[0])) if is_constant else 0.0
-    return pairs
+    crossing = {k for pair in pairs for k in pair}
+    return pairs, {
+        j: min(found) if len(found) == 1 and j not in crossing else 0.0
+        for j, found in touches.items()
+    }
 
 
 def _intervals(sampled: np.ndarray, places: np.ndarray) -> tuple[np.ndarray, ...]:

@@ -153,8 +153,8 @@ class DerivativeSides:
             return g.call(op, a, b)
         is_below = self._is_below(a, b)
         if is_below is None:
-            direction = 0 if facts & STATE else 1
-            growth = g.sub(*(self._slope(n, direction) for n in (b, a)))
+            factor, argument = self._argument(a, b)
+            growth = g.sum([(self._slope(argument, 0 if facts & STATE else 1), -factor)])
             just_below = g.call("or", g.call("lt", a, b), g.call("lt", g.zero, growth))
             comparison = g.call("and", g.call("le", a, b), just_below)
         else:
@@ -163,7 +163,13 @@ class DerivativeSides:
         return comparison
 
     def _is_below(self, a: int, b: int) -> bool | None:
-        return self.arguments.is_below(*(self._originals.get(n, n) for n in (a, b)))
+        """Return whether a < b beside the states where they are equal; None if slopes tell."""
+        factor, argument = self._argument(a, b)
+        sign = self.arguments.sign(argument)
+        return factor * sign < 0.0 if sign else None
+
+    def _argument(self, a: int, b: int) -> tuple[float, int]:
+        return self.arguments.argument(*(self._originals.get(n, n) for n in (a, b)))
 
     def _slope(self, node: int, direction: int) -> int:
         rows = self._make_rows(self.graph, self.rows, self._weight)

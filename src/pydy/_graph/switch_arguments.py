@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
-from pydy._graph.common_zeros import common_zeros
+from pydy._graph.common_zeros import Pairs, Touching, common_zeros
 from pydy._graph.facts import INPUT, SOLVED, STATE, NodeFacts
 from pydy._graph.node import Graph
 from pydy._graph.tuning import MOST_ARGUMENTS
@@ -26,20 +26,18 @@ class SwitchArguments:
         twin._signs, twin._searched = self._signs.copy(), self._searched
         return twin
 
-    def is_below(self, a: int, b: int) -> bool | None:
-        """Return whether a < b beside the states where they are equal.
-
-        It is None if the slopes of both at the state tell.
-        """
-        factor, argument = self._argument(a, b)
+    def sign(self, argument: int) -> float:
+        """Return the sign of an argument, or 0.0 if it is that of its slope at the state."""
         if argument not in self._signs:
             self._search(argument)
-        sign = self._signs[argument]
-        return factor * sign < 0.0 if sign else None
+        return self._signs[argument]
 
-    def _argument(self, a: int, b: int) -> tuple[float, int]:
-        """Return a − b as a factor and a node, which is the same for b − a."""
+    def argument(self, a: int, b: int) -> tuple[float, int]:
+        """Return a factor and a node with the sign of a − b, which is the same for b − a."""
         factor, node = self._graph.scaled(self._graph.sub(a, b))
+        if self._graph.ops[node] == "prod":
+            odd = [n for n, e in self._graph.args[node] if e % 2]
+            node = self._graph.product([(n, 1) for n in odd])
         opposite = self._graph.neg(node)
         return (factor, node) if node < opposite else (-factor, opposite)
 
@@ -51,29 +49,30 @@ class SwitchArguments:
             op, args = g.ops[n], g.args[n]
             if op in _SWITCHES:
                 a, b = args if len(args) == 2 else (args[0], g.zero)
-                found.add(self._argument(a, b)[1])
+                found.add(self.argument(a, b)[1])
         new = sorted(n for n in found if n not in self._signs)
         self._signs.update((n, self._first_sign(n)) for n in new)
         moving = [n for n in sorted(self._signs) if self._facts.of(n) & (STATE | INPUT)]
         moving = [n for n in moving if not self._facts.of(n) & SOLVED]
         # Two inputs are not zero together.
         if any(g.ops[n] != "input" for n in moving) and 1 < len(moving) <= MOST_ARGUMENTS:
-            self._join(moving, common_zeros(g, moving))
+            self._join(moving, *common_zeros(g, moving))
 
-    def _join(self, nodes: Sequence[int], pairs: Mapping[tuple[int, int], float]) -> None:
+    def _join(self, nodes: Sequence[int], pairs: Pairs, touching: Touching) -> None:
         """Give nodes that are zero together signs of one side."""
         neighbours: dict[int, list[tuple[int, float]]] = {}
         for (i, j), product in pairs.items():
             neighbours.setdefault(nodes[i], []).append((nodes[j], product))
             neighbours.setdefault(nodes[j], []).append((nodes[i], product))
         reached: set[int] = set()
-        for root in sorted(neighbours):
+        own = {nodes[i]: sign for i, sign in touching.items()}
+        for root in [*own, *sorted(neighbours)]:
             if root in reached:
                 continue
             group = [root]
-            signs = {root: self._signs[root] or self._first_sign(root)}
+            signs = {root: own.get(root, self._signs[root] or self._first_sign(root))}
             for n in group:
-                for m, product in neighbours[n]:
+                for m, product in neighbours.get(n, ()):
                     if m not in signs:
                         group.append(m)
                         signs[m] = product * signs[n]

@@ -240,16 +240,22 @@ def warn_of_kinks(
             directional = np.concatenate([directional, by_inputs], axis=1)
         above, below = directional[1 : 1 + width], directional[1 + width :]
         largest = np.maximum(np.abs(above), np.abs(below))
-        turns = (np.abs(above - below) > HALF * largest) | (steps[k, switch] > 0.0)[:, None]
+        jumps = np.broadcast_to(steps[k, switch][:, None], above.shape)
+        turns = (np.abs(above - below) > HALF * largest) | (jumps > 0.0)
         turns &= directional[0] != 0.0
-        if several and turns.any():  # on both sides of all of them together?
-            turns &= ~_is_smooth(at, k, _directions(T[k], columns, w), parts, largest)
+        if several:  # what they do together is on neither side of one alone
+            one, other, error = _slopes_beside(at, k, _directions(T[k], columns, w), parts)
+            sizes = np.maximum(largest, np.maximum(np.abs(one), np.abs(other)))
+            known = error <= _SAME_SLOPE * sizes
+            differ = np.abs(one - other) > np.maximum(4.0 * error, HALF * sizes)
+            turns, jumps = np.where(known, differ, turns), np.where(known, 0.0, jumps)
+            above, below = np.where(known, one, above), np.where(known, other, below)
         for row, column in np.argwhere(turns)[:1]:
             symbols = [*(states[j] for j in free), *(definition.specifieds[j] for j in columns)]
             value = [*at.x[k, free], *rows[k, [*columns]]][column]
             speed = row < len(states) and states[row] in equations.speeds
-            description = f"jumps by {steps[k, switch, row]:.3g}"
-            if not steps[k, switch, row]:
+            description = f"jumps by {jumps[row, column]:.3g}"
+            if not jumps[row, column]:
                 description = f"has the slope {above[row, column]:.3g} on one side by it"
                 description += f" and {below[row, column]:.3g} on the other"
             warn_user(
@@ -304,16 +310,15 @@ def _best(slopes: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return slope, np.take_along_axis(change, best, axis=1)[:, 0].T
 
 
-def _is_smooth(
+def _slopes_beside(
     at: StateSamples,
     k: int,
     directions: tuple[np.ndarray, np.ndarray],
     parts: DerivativeDiscontinuities,
-    sizes: np.ndarray,
-) -> np.ndarray:
-    """Return whether rates have the same slope on both sides of state k, by difference quotients.
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return the rates' slopes on both sides of state k, and errors, each (rates, directions).
 
-    Slopes are compared with `sizes`, (rates, directions).
+    By difference quotients; at a jump the errors are infinite, or larger than the slopes.
     """
     values, here = _beside(at, k, directions, parts, "nodes"), at.interpret(parts)["nodes"][k]
     with np.errstate(all="ignore"):
@@ -321,11 +326,7 @@ def _is_smooth(
             _best(sign * (values[:, :, side] - here) / _DISTANCES[:, None])
             for side, sign in enumerate((1.0, -1.0))
         )
-        error = error_above + error_below
-        is_smooth: np.ndarray = (np.abs(above - below) <= 4.0 * error) & (
-            error <= _SAME_SLOPE * sizes
-        )
-    return is_smooth
+    return above, below, error_above + error_below
 
 
 @dataclass(frozen=True)
