@@ -86,7 +86,8 @@ def missed_transitions(
     count = int(motion.times.searchsorted(end))
     whole = last is None and count + 1 == len(motion.times) == len(run.times)
     last = motion.states[-1] if last is None else last[: run.n]  # before the event's reset
-    instants, rows = [motion.times[:count], [end]], [motion.states[:count], last[None]]
+    instants = [motion.times[:count], np.array([end])]
+    rows = [motion.states[:count], last[None]]
     dense = motion.segments[0].dense
     if dense is not None:  # only as many steps as are stored
         starts = dense.starts

@@ -551,9 +551,9 @@ class ContactRun:
         rounding of the speed, or, at a sliding onset, a fraction of what the solver resolves. The
         onset ends at a fraction of the speed that the contact would gain without friction.
         """
-        values = dict.fromkeys([*self.rows.biases, *self.rows.speed_bounds], 0.0)
-        if self.bias is not None:
-            values.update(zip(self.rows.biases, self.bias.tolist(), strict=True))
+        bias = [0.0] * len(self.rows.speeds) if self.bias is None else self.bias.tolist()
+        values: dict[AnySymbol, float] = dict(zip(self.rows.biases, bias, strict=True))
+        values.update(dict.fromkeys(self.rows.speed_bounds, 0.0))
         if not (state.closed or state.separating or self.rows.references):
             return values
         eps, tiny = float(np.finfo(float).eps), float(np.finfo(float).tiny)
@@ -775,7 +775,7 @@ class ContactRun:
 
     def result(self, refusal: str = "") -> Motion:
         """Return the segments as one motion; a `refusal` says why it cannot be continued."""
-        rows = slice(None) if self.reached.all() else self.reached
+        rows: Any = slice(None) if self.reached.all() else self.reached
         times, states = self.times[rows].copy(), self.states[rows]
         last, transitions = self.segments[-1].end, self.transitions
         names, columns = [c.name for c in self.contacts], self.compiled.trajectory_columns

@@ -230,7 +230,8 @@ def _outputs(motion: Motion, model: SegmentedModel) -> np.ndarray:
     """Return the outputs at the times of a motion."""
     whole = motion.segments[0]
     if whole.outputs is not None and len(motion.segments) == 1:
-        return whole.outputs[:, whole.columns]
+        outputs: np.ndarray = whole.outputs[:, whole.columns]
+        return outputs
     return model.outputs(motion.times, motion.states)
 
 

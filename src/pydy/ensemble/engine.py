@@ -230,7 +230,8 @@ class Ensemble:
         example, run = self._example(), uuid4().hex
         forms = self._forms(example)
         computed, first = f"block-{run}", len(self.samples.dims)
-        tasks, positions = {}, []
+        tasks: dict[Any, Any] = {}
+        positions: list[tuple[int, ...]] = []
         for position, block in self.samples.blocks(self.sizes):
             # Bound to the function: as arguments, Dask would take all their arrays and names apart.
             compute = partial(_compute, samples=self._sent(block), forms=forms)
