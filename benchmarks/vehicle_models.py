@@ -8,7 +8,7 @@ as at least one. A motion of MB is compared until a wheel that has stopped start
 never does there; a column has that time.
 
 Then the four manoeuvres as users of that package drive them, by `odeint` with its own tolerances
-over the Python function, at 101 times; here by `System.simulate`, at the loosest tolerance whose
+over the Python function, at 101 times; here by `System.integrate`, at the loosest tolerance whose
 error is no larger, with the fastest of three solvers. Times are the least of several runs in turn.
 Where `odeint` fails, at a wheel that stops, there is no ratio.
 """
@@ -100,10 +100,10 @@ class Ours:
     def simulated(self, solver: Any, tolerance: float) -> np.ndarray:
         """Return the states of the manoeuvre that `motion` chose."""
         self.system.ode_solver = solver
-        return self._theirs(self._simulation(tolerance)().states)
+        return self._theirs(self._simulation(tolerance)())
 
     def _simulation(self, tolerance: float) -> Callable[[], Any]:
-        return partial(self.system.simulate, rtol=tolerance, atol=tolerance)
+        return partial(self.system.integrate, rtol=tolerance, atol=tolerance)
 
     def manoeuvre(
         self, theirs: np.ndarray, times: np.ndarray
