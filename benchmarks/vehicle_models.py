@@ -6,6 +6,11 @@ call from Python, and of 4,096 states in one call here; trajectories by DOP853 o
 where derivatives or trajectories differ by more than 1e-6 of the size of a quantity, which is taken
 as at least one. A motion of MB is compared until a wheel that has stopped starts again, which it
 never does there; a column has that time.
+
+Then the four manoeuvres as users of that package drive them, by `odeint` with its own tolerances
+over the Python function, at 101 times; here by `System.integrate`, at the loosest tolerance whose
+error is no larger, with the fastest of three solvers. Times are the least of several runs in turn.
+Where `odeint` fails, at a wheel that stops, there is no ratio.
 """
 
 from __future__ import annotations
@@ -24,6 +29,7 @@ from harness.options import add_measuring, add_pythons, rounds
 from harness.report import pairwise, save, table
 from harness.serve import processor_time
 
+from pydy.solvers import dop853, radau, tsit5
 from pydy.vehicles import CARS, commonroad_car
 
 TOLERANCE = 1e-6
@@ -37,6 +43,10 @@ MB = (
 )
 PATIENCE = 15.0  # s, until code is compiled for the last time
 TIMES = np.linspace(0.0, 1.0, 21)
+SHOWN = np.linspace(0.0, 1.0, 101)  # the times of a manoeuvre, as in the package's examples
+TOLERANCES = (1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11)
+SOLVERS = (dop853, tsit5, radau)
+FAILED = 1e-3  # an error that no tolerance of 1e-8 explains
 # The steering rate (rad/s) and the acceleration (m/s²), constant for one second.
 MANOEUVRES = {
     "cornering": (0.15, 0.0),
@@ -78,7 +88,7 @@ class Ours:
         """Return the states along a manoeuvre and their derivatives, as far as models agree."""
         r = dict(zip(("v_delta", "a_long"), inputs, strict=True))
         self.system.specifieds = r
-        self.system.times = TIMES
+        self.system.times, self.system.ode_solver = TIMES, dop853
         x = self.system.simulate(rtol=1e-11, atol=1e-11).states
         if self.model == "MB":
             spins = x[:, [k for k, name in zip(self.order, MB, strict=True) if "omega" in name]]
@@ -86,6 +96,32 @@ class Ours:
             again = (stopped & (spins > STOPPED)).any(axis=1)
             x = x[: int(np.argmax(again)) or None]
         return self._theirs(x), self._their_rates(x, self.system.evaluate_ode(x, TIMES[: len(x)]))
+
+    def simulated(self, solver: Any, tolerance: float) -> np.ndarray:
+        """Return the states of the manoeuvre that `motion` chose."""
+        self.system.ode_solver = solver
+        return self._theirs(self._simulation(tolerance)())
+
+    def _simulation(self, tolerance: float) -> Callable[[], Any]:
+        return partial(self.system.integrate, rtol=tolerance, atol=tolerance)
+
+    def manoeuvre(
+        self, theirs: np.ndarray, times: np.ndarray
+    ) -> tuple[float, float, str, Callable[[], Any]]:
+        """Return their error and ours, how we simulate, and that simulation, to be timed."""
+        self.system.times = times
+        exact = self.simulated(dop853, 1e-13)
+        limit, found = difference(theirs, exact), []
+        for solver in SOLVERS:
+            for tolerance in TOLERANCES:
+                error = difference(self.simulated(solver, tolerance), exact)
+                if error <= (limit if limit < FAILED else 1e-6):
+                    seconds = processor_time(self._simulation(tolerance))
+                    found.append((seconds, error, tolerance, solver))
+                    break
+        _, error, tolerance, solver = min(found, key=lambda entry: entry[0])
+        self.system.ode_solver = solver
+        return limit, error, f"{solver.name} {tolerance:.0e}", self._simulation(tolerance)
 
     def prepare(self) -> None:
         """Compile what `seconds` calls, the faster code that follows later included."""
@@ -115,19 +151,43 @@ def difference(one: np.ndarray, other: np.ndarray) -> float:
     return float((np.abs(one - other) / scale).max())
 
 
+def manoeuvres(
+    ours: Ours, worker: Worker, about: dict[str, Any], options: argparse.Namespace
+) -> list[list[str]]:
+    """Return a row for each manoeuvre: errors, tolerance, times and their ratio."""
+    rows = []
+    for name, inputs in MANOEUVRES.items():
+        states = ours.motion(inputs)[0]
+        times = SHOWN[TIMES[len(states) - 1] >= SHOWN]
+        asked = {**about, "inputs": inputs, "start": states[0].tolist(), "times": times.tolist()}
+        theirs = np.array(worker.ask("manoeuvre", **asked))
+        limit, error, chosen, call = ours.manoeuvre(theirs, times)
+        measures = {
+            "theirs": lambda asked=asked: worker.ask("manoeuvre_seconds", **asked),
+            "ours": lambda call=call: processor_time(call),
+        }
+        taken = in_turn(measures, **rounds(options, most=7))
+        there, here = (min(x[who] for x in taken) for who in measures)
+        cells = (f"{limit:.0e}", f"{error:.0e}", chosen, f"{1e3 * there:.1f}", f"{1e3 * here:.2f}")
+        rows.append([name, *cells, f"{there / here:.0f}" if limit < FAILED else "fails"])
+    return rows
+
+
 def main() -> None:
     """Compare, measure, and print a table of both."""
     parser = argparse.ArgumentParser(description=__doc__)
     add_pythons(parser, "--peer-python")
     add_measuring(parser, budget=5.0, timeout=120.0)
+    parser.add_argument("--vehicles", nargs="+", default=list(CARS), choices=list(CARS))
     options = parser.parse_args()
-    agreement, speed = [], []
+    agreement, speed, driven = [], [], []
     worst = 0.0
     with Worker(
         "commonroad", options.peer_python, "commonroad.py", timeout=options.timeout
     ) as worker:
-        for (number, vehicle), model in product(enumerate(CARS, 1), ("ST", "STD", "MB")):
-            ours = Ours(vehicle, model)
+        numbers = {vehicle: number for number, vehicle in enumerate(CARS, 1)}
+        for vehicle, model in product(options.vehicles, ("ST", "STD", "MB")):
+            number, ours = numbers[vehicle], Ours(vehicle, model)
             about: dict[str, Any] = {"vehicle": number, "model": model}
             for name, inputs in MANOEUVRES.items():
                 states, rates = ours.motion(inputs)
@@ -156,11 +216,15 @@ def main() -> None:
                 for j, k in kinds
             ]
             speed.append([vehicle, model, *(f"{ratio:.0f}" for ratio in ratios)])
-    save("vehicle_models", {"agreement": agreement, "speed": speed})
+            driven += [[vehicle, model, *row] for row in manoeuvres(ours, worker, about, options)]
+    save("vehicle_models", {"agreement": agreement, "speed": speed, "manoeuvres": driven})
     header = ("car", "model", "manoeuvre", "derivatives", "trajectory", "until (s)")
     table("Largest relative differences", header, agreement)
     header = ("car", "model", "one state a call", f"{MANY} states a call", "trajectory")
     table("How many times faster than CommonRoad's, by processor time", header, speed)
+    header = ("car", "model", "manoeuvre", "their error", "ours", "solver", "their ms", "ours",
+              "times faster")  # fmt: skip
+    table("Manoeuvres by odeint there, at equal error, by least processor time", header, driven)
     if not worst < TOLERANCE:
         sys.exit(f"differs by {worst:.1e}")
 

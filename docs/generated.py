@@ -38,7 +38,7 @@ GALLERY = (
     *("quadrotor_trim", "quadrotor_slung_load"),
     *("furuta_pendulum", "bicycle_brakes", "double_pendulum_flips", "bicycle_uncertain"),
     *("double_pendulum_fit", "standing_person", "brachistochrone", "arm_least_time"),
-    *("cart_pole_swing_up", "bicycle_lane_change", "standing_jump"),
+    *("cart_pole_swing_up", "bicycle_lane_change", "race_car_lap", "standing_jump"),
 )
 
 

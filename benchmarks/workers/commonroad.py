@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 from harness.serve import processor_time, serve
-from scipy.integrate import solve_ivp
+from scipy.integrate import odeint, solve_ivp
 from vehiclemodels.vehicle_dynamics_mb import vehicle_dynamics_mb
 from vehiclemodels.vehicle_dynamics_st import vehicle_dynamics_st
 from vehiclemodels.vehicle_dynamics_std import vehicle_dynamics_std
@@ -39,6 +39,23 @@ def motion(
     return found.y.T.tolist()
 
 
+def manoeuvre(
+    vehicle: int, model: str, start: list[float], inputs: list[float], times: list[float]
+) -> list[list[float]]:
+    """Return the states at some times as the package's examples do: by `odeint` as it comes."""
+    p, function = setup_vehicle_parameters(vehicle), MODELS[model]
+
+    def derivative(x: Any, _: float, u: list[float], p: Any) -> Any:
+        return function(x, u, p)
+
+    return odeint(derivative, start, times, args=(inputs, p)).tolist()
+
+
+def manoeuvre_seconds(**arguments: Any) -> float:
+    """Return the processor time of `manoeuvre`."""
+    return processor_time(lambda: manoeuvre(**arguments))
+
+
 def seconds(
     vehicle: int, model: str, state: list[float], inputs: list[float], times: list[float]
 ) -> dict[str, float]:
@@ -51,4 +68,12 @@ def seconds(
 
 
 if __name__ == "__main__":
-    serve({"rates": rates, "motion": motion, "seconds": seconds})
+    serve(
+        {
+            "rates": rates,
+            "motion": motion,
+            "seconds": seconds,
+            "manoeuvre": manoeuvre,
+            "manoeuvre_seconds": manoeuvre_seconds,
+        }
+    )

@@ -7,6 +7,7 @@ from pydy.vehicles import (
     CARS,
     SingleTrackCar,
     car_trailer,
+    commonroad_car,
     double_track,
     lane_change,
     single_track,
@@ -98,3 +99,15 @@ def test_what_is_no_car_is_refused():
         car_scene(system, CAR, steering="wheel")
     with pytest.raises(TypeError, match="`change` must be what lane_change returns, or None"):
         car_scene(system, CAR, change=3)
+
+
+def test_a_steering_angle_may_be_a_coordinate():
+    system = commonroad_car("bmw_320i")
+    system.specifieds = {"v_delta": 0.1}
+    system.times = np.linspace(0.0, 1.0, 11)
+    motion = system.simulate()
+    scene = car_scene(system, CAR).animate(motion, fps=None)
+    front, rear = wheels(scene, -1)[1][[0, 2]]
+    angle = np.arctan2(rear[0] * front[1] - rear[1] * front[0], rear @ front)
+    assert motion["delta"][-1] == pytest.approx(0.1)  # rad, after a second
+    assert angle == pytest.approx(motion["delta"][-1])

@@ -1,12 +1,15 @@
 """Tracks against closed forms, vehicles along them against the plane, and least times."""
 
+from copy import copy
 from functools import cache
 
 import numpy as np
 import pytest
 import sympy as sm
 from scipy.special import fresnel
+from sympy.physics.mechanics import dynamicsymbols
 
+from gallery import definitions
 from pydy.vehicles import CARS, car_trailer, commonroad_car, double_track, single_track
 from pydy.vehicles.tracks import Track, along, read_track
 from zoo.race_cars import friction_circle, point_mass
@@ -301,3 +304,58 @@ def test_a_lap_is_plotted():
         lap.plot(quantity="fuel")
     with pytest.raises(ValueError, match="`motion` must be one of `system`"):
         on_track.lap(lap.trajectory)
+
+
+# ---- A published lap ----
+
+
+@cache
+def race_car():
+    """The car and the oval of the example of dymos, before its lap is searched for."""
+    return definitions("race_car_lap", before="on_track = along(")
+
+
+def race_car_lap(speed, mesh):
+    script, t = race_car(), sm.Symbol("t")
+    delta_rate, thrust_rate = dynamicsymbols("delta_rate thrust_rate")
+    (initial,) = script.car.initial_conditions
+    car = copy(script.car)
+    car.initial_conditions = {initial: speed}
+    on_track = along(script.track, car, periodic=True)
+    return on_track, on_track.least_time(
+        path=[*(sm.Symbol(name) <= 1 for name in script.used), sm.Symbol("power") <= script.POWER],
+        bounds={"V": (5.0, 120.0), "delta": (-0.5, 0.5), "thrust": (-3.0, 3.0)},
+        cost=sm.Integral(1e-4 * delta_rate**2 + 1e-7 * thrust_rate**2, t),
+        mesh=mesh,
+    )
+
+
+def test_the_guess_of_a_search_has_zeros_in_place_of_rounding_errors():
+    script = race_car()
+    guess = along(script.track, script.car, periodic=True).guess()
+    guess = {str(k.func): np.atleast_1d(v) for k, v in guess.items()}
+    assert not guess["a_x"].any()  # the load's lag: no acceleration ahead in a steady turn
+    for name in ("lambda_", "delta", "a_y", "thrust"):
+        assert np.abs(guess[name]).max() > 1e-4
+
+
+def test_the_race_car_of_dymos_takes_the_published_time_from_different_guesses():
+    (_, slow), (_, fast) = (race_car_lap(speed, 200) for speed in (20.0, 35.0))
+    script = race_car()
+    assert fast.time == pytest.approx(slow.time, rel=1e-5)
+    # The tolerance is the published one, of a mesh of 50 segments.
+    assert slow.time == pytest.approx(script.PUBLISHED, rel=0.01)
+    assert slow.time > script.PUBLISHED  # where tires exceed their grip between the points
+    fine = slow.motion.at(np.linspace(0.0, script.LENGTH, 5001))
+    assert max(np.sqrt(fine[name]).max() for name in script.used) < 1.01
+    assert slow.motion.states[-1] == pytest.approx(slow.motion.states[0], abs=1e-6)
+
+
+def test_the_lap_of_the_race_car_is_a_motion_of_its_equations():
+    _, lap = race_car_lap(30.0, 200)
+    car, motion = copy(race_car().car), lap.trajectory
+    car.specifieds, car.times = lap.inputs(), motion.times
+    car.initial_conditions = dict(zip(car.states, motion.states[0], strict=True))
+    simulated = car.simulate(rtol=1e-9, atol=1e-9)
+    apart = np.hypot(*(simulated[q] - motion[q] for q in ("x", "y")))
+    assert apart.max() < 0.5  # of 1245 m, without any control

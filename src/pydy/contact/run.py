@@ -630,8 +630,8 @@ class ContactRun:
             if record.index >= count and not repeated and (record.time > state.t or first):
                 user_index = record.index + len(self.contacts) - count
                 self.records.append(replace(record, index=user_index))
-        first, following = (self.times.searchsorted(t, "right") for t in (state.t, end))
-        self.states[first:following] = motion.states[1 : 1 + following - first]
+        begin, following = (self.times.searchsorted(t, "right") for t in (state.t, end))
+        self.states[begin:following] = motion.states[1 : 1 + following - begin]
         (s,) = motion.segments
         of_mode = mode.modes, s.problem, mode.columns
         self.segments.append(Segment(state.t, end, *of_mode, s.dense, s.augmented, outputs))

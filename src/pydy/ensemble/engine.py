@@ -238,7 +238,8 @@ class Ensemble:
             tasks[(computed, *position)] = (compute, work.key)
             positions.append(position)
         graph = HighLevelGraph.from_collections(computed, tasks, dependencies=[work])
-        layers, dependencies = dict(graph.layers), dict(graph.dependencies)
+        layers: dict[str, Any] = dict(graph.layers)
+        dependencies = dict(graph.dependencies)
         chunks = [
             tuple(min(size, length - start) for start in range(0, length, size))
             for length, size in zip(self.samples.shape, self.sizes, strict=True)

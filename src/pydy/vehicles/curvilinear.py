@@ -17,7 +17,7 @@ from pydy._checks import check_mapping, instance, one_or_more, positive, shown
 from pydy._errors import PyDyUserWarning
 from pydy._forks import cached_property
 from pydy._names import some
-from pydy._rank import or_one
+from pydy._rank import ROUNDED, or_one
 from pydy.inputs import SampledInput
 from pydy.mechanics import Definition
 from pydy.system import System
@@ -130,7 +130,10 @@ class TrackSystem:
         wanted = np.zeros((len(rows), 2))
         wanted[:-1, 0], wanted[-1] = -base[inner], (-base[turned], speed)
         scaled = slopes / columns / rows[:, None]
-        values = np.linalg.lstsq(scaled, wanted / rows[:, None], rcond=None)[0] / columns[:, None]
+        found = np.linalg.lstsq(scaled, wanted / rows[:, None], rcond=None)[0]
+        # A rounding error is no size of a state: the search would divide by it.
+        found[np.abs(found) <= ROUNDED * np.abs(found).max(axis=0)] = 0.0
+        values = found / columns[:, None]
         states = np.zeros((len(names), 2))
         states[:, 0] = [float(initial.get(name, 0.0)) for name in names]
         states[free] += values[: len(free)]

@@ -59,7 +59,7 @@ def car_scene(
     width, length : float, optional
         Of the body (m), which has its middle at the mass centre.
     steering : str, optional
-        The specified that is the steering angle.
+        The specified or coordinate that is the steering angle.
     position : three of str, optional
         The coordinates of the mass centre, and the yaw angle.
     **options
@@ -88,10 +88,12 @@ def car_scene(
         instance(change, LaneChange, "`change`", "what lane_change returns, or None")
     width = positive(width, "`width`", finite=True)
     length = positive(length, "`length`", finite=True)
-    specifieds = {name: s for s in system.specifieds_symbols for name in names_of([s])}
-    check_name(steering, "steering", list(specifieds))
-    delta = specifieds[steering]
     x, y, psi = (coordinate_of(system, name, k) for k, name in enumerate(three_names(position)))
+    angles = [q for q in system.coordinates if q not in (x, y, psi)]
+    angles += list(system.specifieds_symbols)
+    angle_names = names_of(angles)
+    check_name(steering, "steering", angle_names)
+    delta = angles[angle_names.index(steering)]
 
     N, B, S = (me.ReferenceFrame(name) for name in ("N", "B", "S"))
     B.orient_axis(N, N.z, psi)
