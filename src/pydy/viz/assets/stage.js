@@ -12,7 +12,7 @@ camera.up.copy(up);
 // -- visuals ------------------------------------------------------------------------------------
 
 /** A motion that visuals share. */
-class Track extends THREE.Group {
+class BodyTrack extends THREE.Group {
   constructor(entry) {
     super();
     this.places = new Column(entry.p);
@@ -30,7 +30,7 @@ class Track extends THREE.Group {
   }
 }
 
-const tracks = data.tracks.map((entry) => new Track(entry));
+const tracks = data.tracks.map((entry) => new BodyTrack(entry));
 
 /** One visual: `anchor` is at its point; `object` is what is seen and can be hidden. */
 const visuals = data.visuals.map((visual) => {
