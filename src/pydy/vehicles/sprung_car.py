@@ -176,7 +176,7 @@ class _SprungBody:
 
 
 @dataclass(frozen=True, eq=False)
-class _Wheel:
+class _SprungWheel:
     """A wheel that slides along the body's vertical and spins about a steered axle."""
 
     body: me.RigidBody
@@ -199,7 +199,7 @@ def _wheel(
     inertia: Any,
     radius: Any,
     stiffness: Any,
-) -> _Wheel:
+) -> _SprungWheel:
     travel, rate, spin = me.dynamicsymbols(f"z_{name} w_{name} omega_{name}")
     N, B = car.N, car.B
     center = seat.locatenew(f"C_{name}", travel * B.z)
@@ -227,7 +227,7 @@ def _wheel(
         low_speed=LOWEST_SPEED,
         name=f"touch {name}",
     )
-    return _Wheel(body, center, rotating, steered.y, contact, travel, rate, spin, seat)
+    return _SprungWheel(body, center, rotating, steered.y, contact, travel, rate, spin, seat)
 
 
 def sprung_double_track(
@@ -325,7 +325,7 @@ def sprung_double_track(
     loads: list[Any] = [(center, -sprung * g * N.z)]
     outputs: dict[str, Any] = {"beta": sm.atan(body.speeds[1] / body.speeds[0])}
     total = me.Vector(0)
-    wheels: list[_Wheel] = []
+    wheels: list[_SprungWheel] = []
     names = iter(WHEELS)
     rows = (
         (a, T_f, delta, m_uf, (b + ahead) / (a + b), k_f, c_f, K_f, drive, brake, c_lf),

@@ -91,7 +91,7 @@ class _Pose:
     rotation: np.ndarray
 
 
-class _Mechanism:
+class _SuspensionMechanism:
     """A suspension with one degree of freedom, its rack being fixed."""
 
     def __init__(self, suspension: HardPoints, rack: float) -> None:
@@ -166,7 +166,7 @@ def curves_of(
     radius = positive(radius, "`radius`", finite=True)
     rack = number(rack, "`rack`", finite=True)
     poses = _poses(suspension, targets, rack)
-    mechanism = _Mechanism(suspension, rack)
+    mechanism = _SuspensionMechanism(suspension, rack)
     at_rest = _state(mechanism, _Pose(0.0, np.eye(3)), radius)["contact"]
     rows = [_state(mechanism, pose, radius) for pose in poses]
     columns = {name: np.array([row[name] for row in rows]) for name in rows[0]}
@@ -187,8 +187,8 @@ def _poses(suspension: HardPoints, targets: np.ndarray, rack: float) -> list[_Po
     poses: dict[int, _Pose] = {}
     try:
         for share in np.linspace(0.0, 1.0, 1 + _parts(rack, longest))[1:]:
-            start = _Mechanism(suspension, share * rack).moved_to(rest, start)
-        mechanism = _Mechanism(suspension, rack)
+            start = _SuspensionMechanism(suspension, share * rack).moved_to(rest, start)
+        mechanism = _SuspensionMechanism(suspension, rack)
         sign = mechanism.branch(start)
     except np.linalg.LinAlgError:
         raise ValueError(
@@ -220,7 +220,7 @@ def _parts(distance: float, longest: float) -> int:
     return int(np.ceil(abs(distance) / longest))
 
 
-def _state(mechanism: _Mechanism, pose: _Pose, radius: float) -> dict[str, np.ndarray]:
+def _state(mechanism: _SuspensionMechanism, pose: _Pose, radius: float) -> dict[str, np.ndarray]:
     """Return angles, the contact point, and rates for a unit rate of the travel."""
     points, side = mechanism.points, mechanism.points.side
     jacobian, motions = mechanism.rates(pose)

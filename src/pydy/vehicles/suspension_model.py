@@ -138,7 +138,7 @@ def build(
     else:
         parts.on_upright(moving)
     parts.in_body(fixed)
-    spring = _Spring.between(parts.points[moving], parts.points[fixed], frame)
+    spring = _SpringOfSuspension.between(parts.points[moving], parts.points[fixed], frame)
     ends = np.linalg.norm(getattr(suspension, moving) - getattr(suspension, fixed))
     pushing = _force(force, float(ends) - spring.length, -spring.rate)
     loads = (
@@ -313,7 +313,7 @@ class _Parts:
 
 
 @dataclass(frozen=True)
-class _Spring:
+class _SpringOfSuspension:
     """A line between two points: its length, the rate of it, and the direction to the first one."""
 
     length: Expression
@@ -321,7 +321,7 @@ class _Spring:
     away: Vector
 
     @classmethod
-    def between(cls, one: Point, other: Point, frame: ReferenceFrame) -> _Spring:
+    def between(cls, one: Point, other: Point, frame: ReferenceFrame) -> _SpringOfSuspension:
         apart = one.pos_from(other)
         length = sm.sqrt(apart.dot(apart))
         away = apart / length
