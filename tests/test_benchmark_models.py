@@ -67,10 +67,10 @@ def test_the_arm_written_down_moves_as_the_one_made_of_bodies_does(monkeypatch):
 
 
 def test_the_time_on_a_cluster_counts_rounds_of_blocks_and_the_clients_work():
-    costs = Costs(trajectory=0.5, serial=0.25, block=2.0, start=3.0)
+    costs = Costs(trajectory=0.5, serial=0.25, block=2.0, task=0.0, start=3.0)
     # Ten blocks of eight on four cores: three rounds of 4 s, 20 s for all values, 20 s for blocks.
     assert costs.seconds(80, 8, 4) == 3.0 + 20.0 + 20.0 + 3 * 4.0
     assert costs.efficiency(80, 8, 4) == 40.0 / (4 * 55.0)
-    alone = Costs(trajectory=0.5, serial=0.0, block=0.0, start=0.0)
+    alone = Costs(trajectory=0.5, serial=0.0, block=0.0, task=0.0, start=0.0)
     assert alone.efficiency(80, 8, 10) == 1.0
     assert alone.efficiency(80, 8, 20) == 0.5

@@ -301,13 +301,27 @@ def _beside(
     return samples.interpret(parts)[block].reshape(*x.shape[:3], -1)
 
 
-def _best(slopes: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return slopes and their errors, (values, directions), from those at all distances."""
-    change = np.abs(np.diff(slopes, axis=1))
+def _best(slopes: np.ndarray, rounding: np.ndarray | float = 0.0) -> tuple[np.ndarray, np.ndarray]:
+    """Return slopes and their errors, (values, directions), from those at all distances.
+
+    `rounding` is that of the differences of values.
+    """
+    change = np.abs(np.diff(slopes, axis=1)) + rounding / _DISTANCES[1:, None]
     change[~np.isfinite(change)] = np.inf
     best = change.argmin(axis=1)[:, None]
     slope = np.take_along_axis(slopes, best + 1, axis=1)[:, 0].T
     return slope, np.take_along_axis(change, best, axis=1)[:, 0].T
+
+
+@dataclass(frozen=True)
+class _RoundingOfRates:
+    """The rounding bounds of the rates, with loads for u' where these suffice."""
+
+    coordinates: int
+
+    def __call__(self, assembly: Assembly) -> dict[str, list[int]]:
+        nodes, _ = _loads_and_rates(assembly, self.coordinates)
+        return {"bounds": rounding_bounds(assembly.graph, nodes)}
 
 
 def _slopes_beside(
@@ -321,9 +335,10 @@ def _slopes_beside(
     By difference quotients; at a jump the errors are infinite, or larger than the slopes.
     """
     values, here = _beside(at, k, directions, parts, "nodes"), at.interpret(parts)["nodes"][k]
+    bounds = at.interpret(_RoundingOfRates(parts.coordinates))["bounds"][k]
     with np.errstate(all="ignore"):
         (above, error_above), (below, error_below) = (
-            _best(sign * (values[:, :, side] - here) / _DISTANCES[:, None])
+            _best(sign * (values[:, :, side] - here) / _DISTANCES[:, None], ROUNDING * bounds)
             for side, sign in enumerate((1.0, -1.0))
         )
     return above, below, error_above + error_below

@@ -102,6 +102,8 @@ def build(
     instance(origin, Point, "`origin`")
     instance(frame, ReferenceFrame, "`frame`")
     name = text(name, "`name`", empty=False)
+    if "\0" in name:
+        raise ValueError(f"`name` must be text without null characters, got {shown(name)}.")
     if not (force is None or callable(force)):
         raise TypeError(f"`force` must be a function or None, got {shown(force)}.")
     masses = _amounts(arm_masses, "arm_masses", 2)

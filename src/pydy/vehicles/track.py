@@ -192,7 +192,13 @@ class Track:
         length = positive(straight, "`straight`", finite=True)
         r = positive(radius, "`radius`", finite=True)
         half = positive(width, "`width`", finite=True) / 2
-        return cls.segments([(length, 0.0), (np.pi * r, 1 / r)] * 2, half, half)
+        turn = np.pi * r
+        if length + turn in (length, turn):
+            raise ValueError(
+                f"`straight` and `radius` must be of similar sizes, got {straight} and {radius} m: "
+                "their sum has no digit of the smaller one."
+            )
+        return cls.segments([(length, 0.0), (turn, 1 / r)] * 2, half, half)
 
     def __repr__(self) -> str:
         total = self._right.values + self._left.values

@@ -408,9 +408,8 @@ class Scene:
         motion = forward(self._motion_of(film, states, options[:3]))
         rate, step = playback(fps, speed, float(motion.times[-1] - motion.times[0]))
         names_of = getattr(film, "names_of", None)
-        check_units(
-            self._units, self.series, (options[0] or ()) if names_of is None else names_of(*STATES)
-        )
+        states_of = () if options[0] is None else options[0]
+        check_units(self._units, self.series, states_of if names_of is None else names_of(*STATES))
         scene = (self.reference_frame, self.origin, self.visuals)
         film_motion = motion.at_rows(sampled(motion.times, step))
         animation = animate(*scene, film_motion)

@@ -645,10 +645,8 @@ def _(v):
 
 
 # Each model takes seconds to derive: what is accepted is read by `double_track` in the same way.
-@target("sprung_double_track.tires", nothing("texts", "symbols"))
+@target("sprung_double_track.tires", nothing("texts", "symbols", allowed=one_of(None)))
 def _(v):
-    if v is None:
-        raise ValueError("`tires` are linear by default.")
     return str(sprung_double_track(_car, _AXLES, v))
 
 
@@ -657,9 +655,11 @@ def _(v):
     return str(sprung_double_track(_car, _AXLES, differential=v))
 
 
-for _name, _truths in (("speed", (True,)), ("drag_area", (True, False)), ("downforce_areas", ())):
+for _name, _kind in (
+    ("speed", _positive), ("drag_area", _not_negative), ("downforce_areas", nothing("texts")),
+):  # fmt: skip
 
-    @target(f"sprung_double_track.{_name}", nothing("texts", "symbols", allowed=one_of(*_truths)))
+    @target(f"sprung_double_track.{_name}", _kind)
     def _(v, name=_name):
         return str(sprung_double_track(_car, _AXLES, **{name: v}))
 

@@ -193,7 +193,8 @@ def _series(value: Any) -> bool:
         return value is not None
     if isinstance(value, dict):
         value = list(value.values())
-    if isinstance(value, (str, bytes, range)) or getattr(value, "size", 0) > 2**27:
+    size = getattr(value, "size", 0)
+    if isinstance(value, (str, bytes, range)) or (isinstance(size, int) and size > 2**27):
         return False
     try:
         return all(is_number(e) and isinstance(e, (sm.Expr, int, float)) for e in value)

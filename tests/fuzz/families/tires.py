@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import sympy as sm
+from sympy.core.function import AppliedUndef
 from sympy.physics.mechanics import ReferenceFrame, RigidBody, dynamicsymbols, inertia
 
 from fuzz.kinds import Kind, RefusedError, array, choice, integer, nothing, real
@@ -343,7 +344,9 @@ def _lengths(value: Any) -> Any:
 _RELAXATION: dict[str, Kind] = {
     "lengths": Kind(_lengths, ("common", "texts", "arrays"), compare=False),
     "deflections": nothing("texts", "symbols"),
-    "camber": nothing("texts", "symbols", allowed=one_of(None)),
+    "camber": nothing(
+        "texts", "symbols", allowed=lambda v: v is None or isinstance(v, AppliedUndef)
+    ),
     **dict.fromkeys(("low_speed", "sliding_slip"), _positive),
     "damping": _not_negative,
 }
