@@ -53,9 +53,14 @@ class EquationsOfMotion:
 
     def written_out(self, expression: sm.Expr | sm.Matrix) -> sm.Expr | sm.Matrix:
         """Return an expression, or a matrix of them, without the short names."""
+        needed = set(sm.sympify(expression).free_symbols)
+        for symbol in reversed(self.names):
+            if symbol in needed:
+                needed |= self.names[symbol].free_symbols
         full: dict[sm.Symbol, sm.Expr] = {}
         for symbol, meaning in self.names.items():
-            full[symbol] = replace_symbols(meaning, full)
+            if symbol in needed:
+                full[symbol] = replace_symbols(meaning, full)
         if isinstance(expression, sm.MatrixBase):
             return expression.applyfunc(lambda entry: replace_symbols(entry, full))
         return replace_symbols(sm.sympify(expression), full)

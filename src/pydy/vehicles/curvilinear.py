@@ -13,17 +13,18 @@ import sympy as sm
 import sympy.physics.mechanics as me
 from sympy.core.function import AppliedUndef
 
-from pydy._checks import check_mapping, describe, instance, one_or_more, positive, real_array, shown
+from pydy._checks import check_mapping, instance, one_or_more, positive, shown
 from pydy._errors import PyDyUserWarning
 from pydy._forks import cached_property
 from pydy._names import some
-from pydy._rank import HALF, or_one
+from pydy._rank import or_one
 from pydy.inputs import SampledInput
 from pydy.mechanics import Definition
 from pydy.system import System
 from pydy.trajectory import Trajectory
 from pydy.vehicles.lap import Lap
 from pydy.vehicles.manoeuvres import check_name, names_of, three_names
+from pydy.vehicles.planar import check_expressions, check_symmetry, fixed_inputs
 from pydy.vehicles.track import Track
 
 if TYPE_CHECKING:
@@ -33,7 +34,6 @@ if TYPE_CHECKING:
     from pydy.control import OptimalControl
 
 _NEW = ("n", "xi", "curvature", "pace")
-_TRIALS = 5  # random states at which a system's symmetry is tested
 _NODES = 100
 _GUESSED = 2001  # samples of a guess
 
@@ -332,7 +332,7 @@ def along(
         check_name(name, "inputs", specifieds)
     _check_names(system)
     vehicle = _Planar(system, tuple(system.coordinates[names.index(name)] for name in position))
-    vehicle.check_symmetry()
+    check_symmetry(system, vehicle.position)
     t = me.dynamicsymbols._t
     n, xi, curvature = me.dynamicsymbols("n xi curvature")
     ahead, aside, yaw_rate = (vehicle.at(e, xi) for e in vehicle.planar_rates)
@@ -362,7 +362,7 @@ def along(
     if "speed" not in map(str, [*outputs, *system.states, *specifieds]):
         outputs[sm.Symbol("speed")] = sm.sqrt(ahead**2 + aside**2)
     samples = track._line.curvature_input()
-    fixed = vehicle.fixed(controls)
+    fixed = fixed_inputs(system, controls, vehicle.position)
     controlled = tuple(s for s in system.specifieds_symbols if s not in fixed)
     on_track = System(
         definition,
@@ -425,7 +425,7 @@ class _Planar:
     """The equations of a vehicle whose motion depends on neither its position nor its yaw angle."""
 
     def __init__(self, system: System, position: tuple[Any, ...]) -> None:
-        self.system = system
+        self.system, self.position = system, position
         self.x, self.y, self.psi = position
         equations = system.equations_of_motion()
         if equations.constraint_jacobian.rows or system.auxiliaries:
@@ -451,101 +451,11 @@ class _Planar:
             inside = value.atoms(AppliedUndef)
             if not inside & {self.x, self.y, self.psi} and name not in value.free_symbols | inside:
                 self.outputs[sm.Symbol(name) if isinstance(name, str) else name] = value
-        self._check([*full.values(), *self.accelerations])
+        check_expressions([*full.values(), *self.accelerations], position)
 
     def at(self, expression: sm.Expr, xi: sm.Expr) -> sm.Expr:
         """Return an expression at a yaw angle; only speeds in the plane depend on it."""
         return expression.xreplace({self.psi: xi})
-
-    def _check(self, expressions: list[sm.Expr]) -> None:
-        """Refuse equations that depend on the position, time, or derivatives of specifieds."""
-        t = me.dynamicsymbols._t
-        for expression in expressions:
-            if derivatives := sorted(map(str, expression.atoms(sm.Derivative))):
-                raise ValueError(
-                    f"`system` has the derivative {derivatives[0]} of a specified. Make that "
-                    "specified a state whose rate is the input."
-                )
-            functions = expression.atoms(AppliedUndef)
-            if where := sorted(map(str, functions & {self.x, self.y})):
-                raise ValueError(
-                    f"`system` depends on {describe(where)}, the position in the plane, so that "
-                    "it has no equations along a track."
-                )
-            plain = expression.xreplace({f: sm.Dummy() for f in functions})
-            if t in plain.free_symbols:
-                raise ValueError(
-                    "`system` depends on time itself; along a track, time is a state. Use "
-                    "specifieds without values for inputs that change."
-                )
-
-    def check_symmetry(self) -> None:
-        """Refuse equations that depend on the yaw angle, but for the rotation of the velocity."""
-        system, random = copy(self.system), np.random.default_rng(0)
-        system.specifieds = {}
-        states, count = list(system.states), len(system.states)
-        names = {str(k).removesuffix("(t)"): v for k, v in system.initial_conditions.items()}
-        usual = np.array([float(names.get(name, 0.0)) for name in names_of(states)])
-        ix, iy, turned = (states.index(q) for q in (self.x, self.y, self.psi))
-        for _ in range(_TRIALS):
-            state = usual + 0.1 * (np.abs(usual) + 1.0) * random.uniform(-1.0, 1.0, count)
-            inputs = 0.1 * random.uniform(-1.0, 1.0, len(system.specifieds_symbols))
-            r = dict(zip(system.specifieds_symbols, inputs.tolist(), strict=True))
-            rates = []
-            for angle in (0.0, float(random.uniform(1.0, 2.0))):
-                state[turned] = angle
-                rates.append(system.evaluate_ode(state, 0.0, r=r))
-            if not np.isfinite(rates).all() or rates[0][ix] <= 0.0:
-                raise ValueError(
-                    "`system.initial_conditions` must be those of a vehicle that moves forward, "
-                    f"got the derivative {rates[0][ix]:.4g} of {self.x} near them at the yaw angle "
-                    "zero. Set the forward speed."
-                )
-            (straight, rotated), c, s = rates, np.cos(angle), np.sin(angle)
-            expected = straight.copy()
-            expected[ix] = c * straight[ix] - s * straight[iy]
-            expected[iy] = s * straight[ix] + c * straight[iy]
-            scale = HALF * np.maximum(np.abs(straight).max(), 1.0)
-            wrong = np.abs(rotated - expected) > scale
-            if wrong.any():
-                k = int(wrong.argmax())
-                what = "does not turn with" if k in (ix, iy) else "depends on"
-                raise ValueError(
-                    f"`system` must be the same in all directions of the plane, but the derivative "
-                    f"of {states[k]} {what} {self.psi}. `position` must be the coordinates of a "
-                    "point and the yaw angle, got "
-                    f"{shown([str(q) for q in (self.x, self.y, self.psi)])}."
-                )
-
-    def fixed(self, controls: Sequence[str]) -> dict[Any, Any]:
-        """Return the values of the specifieds that are no controls."""
-        values: dict[str, Any] = {}
-        for key, value in self.system.specifieds.items():
-            keys = key if isinstance(key, tuple) else (key,)
-            entries = list(value) if np.ndim(value) else [value] * len(keys)
-            values |= dict(zip(names_of(keys), entries, strict=False))
-        fixed: dict[Any, Any] = {}
-        for symbol in self.system.specifieds_symbols:
-            (name,) = names_of([symbol])
-            if name in controls:
-                continue
-            value = values.get(name, 0.0)
-            if isinstance(value, sm.Expr):
-                self._check([value])
-                if value.has(self.psi):
-                    raise ValueError(
-                        f"`system.specifieds[{name}]` depends on {self.psi}, which is no state "
-                        "along a track."
-                    )
-                fixed[symbol] = value
-            elif callable(value) or real_array(value, f"`system.specifieds[{name}]`").ndim:
-                raise ValueError(
-                    f"`system.specifieds[{name}]` must be a number or an expression of states, got "
-                    f"{shown(value)}; or name {name!r} in `inputs`."
-                )
-            else:
-                fixed[symbol] = float(value)
-        return fixed
 
 
 def _solve(matrix: sm.Matrix, right: sm.Matrix) -> list[sm.Expr]:
