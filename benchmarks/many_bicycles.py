@@ -101,29 +101,36 @@ def _carried(options: argparse.Namespace, largest: dict[str, Any]) -> dict[str, 
     with Worker("many-bicycles", options.python, "bicycles_ours.py", timeout=3600.0) as worker:
         worker.ask("load")
         asked = {"count": count, "processes": options.processes, "blocks": [block, fine]}
-        first, finer, coarse = worker.ask("costs", **asked)
+        finer, coarse = worker.ask("costs", **asked)
     more = finer["blocks"] - coarse["blocks"]
-    cut = (finer["built"] - coarse["built"]) / more
-    task = (finer["own"] - coarse["own"]) / more - cut
-    start = max(0.0, first["workers"] - finer["workers"]) / options.processes
+
+    def of_block(cost: str) -> float:
+        return max(0.0, finer[cost] - coarse[cost]) / more
+
+    own, task, blocks = of_block("own"), of_block("workers"), largest["blocks"]
     costs = Costs(
-        trajectory=(largest["workers"] - options.processes * start) / largest["count"],
-        serial=max(0.0, largest["built"] - cut * largest["blocks"]) / largest["count"],
-        block=max(0.0, task) + max(0.0, cut),
-        start=start,
+        trajectory=(largest["workers"] - task * blocks) / largest["count"],
+        serial=max(0.0, largest["own"] - own * blocks) / largest["count"],
+        block=own,
+        task=task,
+        start=largest["start"],
     )
     million = largest["count"]
     print(
-        f"\nA trajectory takes {1e6 * costs.trajectory:.0f} µs on a worker and "
-        f"{1e6 * costs.serial:.2f} µs on the client; a block {1e3 * cut:.2f} ms to cut and "
-        f"{1e3 * task:.2f} ms on client and scheduler; a worker {costs.start:.1f} s to start; "
-        f"{largest['sent']:.0f} bytes are sent for a trajectory.\n"
-        "T = start + N serial + blocks overhead + ⌈blocks / cores⌉ block trajectory, "
+        f"\nA trajectory takes {1e6 * costs.trajectory:.1f} µs on a worker and "
+        f"{1e6 * costs.serial:.2f} µs on client and scheduler, where it sends "
+        f"{largest['sent']:.0f} bytes; a block {1e3 * costs.block:.1f} ms there and "
+        f"{1e3 * costs.task:.1f} ms on a worker; a worker {costs.start:.2f} s to start, and "
+        f"{100 * largest['idle'] / options.processes:.1f} % of a core for its own "
+        f"(the scheduler {100 * largest['scheduler']:.1f} %).\n"
+        "T = start + N serial + blocks overhead + ⌈blocks / cores⌉ (block trajectory + task), "
         f"N = {million:,}:\n"
     )
     sizes = [size for size in (8192, 2048, 512, 128) if size <= million]
     print(f"| cores | {' | '.join(f'blocks of {size:,}' for size in sizes)} |")
     print(f"|---|{'---|' * len(sizes)}")
+    most = " | ".join(f"{costs.most_cores(size):.0f}" for size in sizes)
+    print(f"| the scheduler keeps busy | {most} |")
     table = {}
     for cores in options.cores:
         seconds = [costs.seconds(million, size, cores) for size in sizes]
@@ -131,7 +138,7 @@ def _carried(options: argparse.Namespace, largest: dict[str, Any]) -> dict[str, 
         pairs = zip(seconds, shares, strict=True)
         print(f"| {cores} | {' | '.join(f'{t:.1f} s, {100 * e:.0f} %' for t, e in pairs)} |")
         table[cores] = dict(zip(map(str, sizes), shares, strict=True))
-    return {"costs": vars(costs), "runs": [first, finer, coarse], "efficiency": table}
+    return {"costs": vars(costs), "runs": [finer, coarse], "efficiency": table}
 
 
 if __name__ == "__main__":

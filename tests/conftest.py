@@ -18,6 +18,9 @@ if "PYTEST_XDIST_WORKER" not in os.environ:  # workers share that of the process
     _FOLDER = tempfile.TemporaryDirectory(prefix="pydy-tests-", ignore_cleanup_errors=True)
     os.environ["PYDY_CACHE_DIR"] = _FOLDER.name
 os.environ.setdefault("MPLBACKEND", "Agg")  # pictures are drawn, not shown
+# On a busy machine the threads of OpenBLAS wait for each other: the singular values of 230 rows
+# took seconds, and one thread 10 ms.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 
 def _raise_on_old_names():

@@ -72,6 +72,13 @@ def test_quantities_are_found_by_symbol_and_by_name():
         trajectory["nothing"]
     with pytest.raises(KeyError, match=r"q, u, E. Did you mean `q`"):
         trajectory["Q"]
+    for index in (0, -1, slice(2), (slice(None), 0), np.int64(1)):
+        with pytest.raises(
+            KeyError, match=r"Index the arrays: `trajectory.states\[k\]`; .*at\(t\)`"
+        ):
+            trajectory[index]
+    with pytest.raises(KeyError, match=r"use a list: `trajectory\[\['q', 'u'\]\]`."):
+        trajectory["q", "u"]
 
 
 def test_names_that_would_be_alike_are_written_out():

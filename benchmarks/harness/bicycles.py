@@ -63,6 +63,17 @@ class Bicycles:
         """Return the Dataset of the first samples."""
         return self.system.integrate_ensemble(**self.values(count), **self.options, **how)
 
+    def compute(self, count: int, **how: Any) -> dict[str, float]:
+        """Return what is asked of the first samples."""
+        return computed(self.run(count, **how))
+
+
+def computed(dataset: Any) -> dict[str, float]:
+    """Return what is asked of all samples, computed at once where it is lazy."""
+    import dask
+
+    return {name: float(value) for name, value in dask.compute(reduced(dataset))[0].items()}
+
 
 def reduced(dataset: Any) -> dict[str, Any]:
     """Return what is asked of all samples: means, maxima and counts, lazy if the Dataset is."""
@@ -83,19 +94,25 @@ class Costs:
     trajectory: float  # on a worker
     serial: float  # on the client, for each trajectory: values read, checked, and cut into blocks
     block: float  # on the client and the scheduler, for each block
-    start: float  # of each worker, at its first block
+    task: float  # on a worker, for each block
+    start: float  # of each worker: imports, and the code that it compiles or loads
 
     def seconds(self, count: int, block: int, cores: int) -> float:
         """Return the time of `count` trajectories.
 
-        T = start + count serial + blocks overhead + ⌈blocks / cores⌉ block trajectory: the client
-        works while no worker does, which is an upper bound, and the last blocks end together.
+        T = start + count serial + blocks overhead + ⌈blocks / cores⌉ (block trajectory + task): the
+        client works while no worker does, which is an upper bound, and the last blocks end
+        together.
         """
         blocks = ceil(count / block)
         rounds = ceil(blocks / cores)
-        own = count / blocks * self.trajectory
+        own = count / blocks * self.trajectory + self.task
         return self.start + count * self.serial + blocks * self.block + rounds * own
 
     def efficiency(self, count: int, block: int, cores: int) -> float:
         """Return the share of the cores' time that integrates."""
         return count * self.trajectory / (cores * self.seconds(count, block, cores))
+
+    def most_cores(self, block: int) -> float:
+        """Return how many cores the client and the scheduler keep busy with such blocks."""
+        return (block * self.trajectory + self.task) / (block * self.serial + self.block)

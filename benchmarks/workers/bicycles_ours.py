@@ -11,8 +11,10 @@ from pathlib import Path
 from resource import RUSAGE_SELF, getrusage
 from typing import Any
 
-from harness.bicycles import Bicycles, reduced
+from harness.bicycles import Bicycles, computed
 from harness.serve import serve
+
+IDLE = 5.0  # s, for which the workers have nothing to do
 
 
 def peak() -> float:
@@ -36,8 +38,7 @@ class Ours:
         """Integrate on one thread."""
         cpu, start = time.process_time(), time.perf_counter()
         dataset = self.bicycles.run(count, workers=1)
-        sums = {name: float(value) for name, value in reduced(dataset).items()}
-        return self._answer(sums, cpu, start)
+        return self._answer(computed(dataset), cpu, start)
 
     def threads(self, count: int, threads: int) -> dict[str, Any]:
         """Integrate on threads into a store, which is reduced block by block."""
@@ -45,40 +46,52 @@ class Ours:
             cpu, start = time.process_time(), time.perf_counter()
             store = Path(folder, "bicycles.zarr")
             dataset = self.bicycles.run(count, workers=threads, store=store)
-            sums = {name: float(value) for name, value in reduced(dataset).items()}
-            return self._answer(sums, cpu, start)
+            return self._answer(computed(dataset), cpu, start)
 
     def cluster(self, count: int, processes: int, block: int | None) -> dict[str, Any]:
-        """Integrate on a cluster, whose workers reduce their blocks."""
-        with _cluster(processes) as client:
-            return self._on(client, count, block)
+        """Integrate on a cluster, whose workers reduce their blocks.
 
-    def costs(self, count: int, processes: int, blocks: tuple[int, int]) -> list[dict[str, Any]]:
-        """Integrate as `cluster` in small blocks, again, and in large blocks.
-
-        Every worker computes some of the small ones, and has started when they are computed again.
+        All workers start before, on a few trajectories each, which is measured by itself.
         """
         with _cluster(processes) as client:
-            return [self._on(client, count, block) for block in (blocks[1], *reversed(blocks))]
+            start = self._start(client, processes)
+            return start | self._on(client, count, block)
+
+    def costs(self, count: int, processes: int, blocks: tuple[int, int]) -> list[dict[str, Any]]:
+        """Integrate as `cluster`, in small and in large blocks."""
+        with _cluster(processes) as client:
+            self._start(client, processes)
+            return [self._on(client, count, block) for block in reversed(blocks)]
+
+    def _start(self, client: Any, processes: int) -> dict[str, float]:
+        """Let all workers import and compile; return what each needs for it, and when idle.
+
+        The own work of workers and scheduler, such as their messages, takes a share of each second,
+        whatever is computed. It is in all processor times: on a busy machine the seconds are many.
+        """
+        cpu, before, start = time.process_time(), _of(client), time.perf_counter()
+        time.sleep(IDLE)
+        after, seconds = _of(client), time.perf_counter() - start
+        idle, scheduler = (after - before) / seconds, (time.process_time() - cpu) / seconds
+        start = time.perf_counter()
+        for _ in range(2):  # in the first, some workers may be ahead of the others
+            self.bicycles.compute(64 * 8 * processes, chunks=64)
+        busy = _of(client) - after - idle * (time.perf_counter() - start)
+        return {"start": busy / processes, "idle": idle, "scheduler": scheduler}
 
     def _on(self, client: Any, count: int, block: int | None) -> dict[str, Any]:
-        import dask
-
-        def of_workers() -> float:
-            return sum(client.run(time.process_time).values())
-
-        before = of_workers()
+        before = _of(client)
         cpu, start = time.process_time(), time.perf_counter()
         dataset = self.bicycles.run(count, chunks="auto" if block is None else block)
         built = time.process_time() - cpu
-        graph = dataset.__dask_graph__()
-        sums = {n: float(v) for n, v in dask.compute(reduced(dataset))[0].items()}
-        answer = self._answer(sums, cpu, start)
+        graph = dict(dataset.__dask_graph__())
+        answer = self._answer(computed(dataset), cpu, start)
         return answer | {
-            "workers": of_workers() - before,
+            "workers": _of(client) - before,
             "built": built,
             "block": max(dataset.chunks["sample"]),
             "blocks": len(dataset.chunks["sample"]),
+            "tasks": len(graph),
             "sent": _sent(graph) / count,
             "workers_GiB": max(client.run(peak).values()),
         }
@@ -95,18 +108,24 @@ def _cluster(processes: int) -> Iterator[Any]:
     from distributed import Client, LocalCluster
 
     patient = {"distributed.comm.timeouts.connect": "300s", "distributed.worker.daemon": True}
+    # Its samples of the stack, a hundred a second, are taken while others compute.
+    patient["distributed.worker.profile.enabled"] = False
     size = {"n_workers": processes, "threads_per_worker": 1, "dashboard_address": ":0"}
     with dask.config.set(patient), LocalCluster(**size) as cluster, Client(cluster) as client:
         client.wait_for_workers(processes, timeout=300)
         yield client
 
 
-def _sent(graph: Any) -> int:
+def _of(client: Any) -> float:
+    """Return the processor time that all workers have taken."""
+    return float(sum(client.run(time.process_time).values()))
+
+
+def _sent(graph: dict[Any, Any]) -> int:
     """Return how many bytes the tasks with samples take."""
     from distributed.protocol.pickle import dumps
 
-    parts = [task for key, task in dict(graph).items() if str(key).startswith("_compute")]
-    return sum(len(dumps(task)) for task in parts)
+    return sum(len(dumps(task)) for key, task in graph.items() if key[0].startswith("block-"))
 
 
 if __name__ == "__main__":

@@ -19,7 +19,7 @@ from sympy.physics.mechanics import dynamicsymbols
 
 from pydy._assembly.programs import block_program
 from pydy._backends.llvm.jit import memory
-from pydy._backends.llvm.native import LLVMBackend
+from pydy._backends.llvm.native import LLVMBackend, make_sweep
 
 WIDTH = int(sys.argv[1]) if len(sys.argv) > 1 else None
 
@@ -31,8 +31,8 @@ class Ours(Peer):
             for lanes in (1, 8):
                 LLVMBackend(lanes=lanes).compile(program)
 
-    def load(self, name: str) -> Any:
-        sizes = super().load(name)
+    def load(self, name: str, count: int = Peer.count) -> Any:
+        sizes = super().load(name, count)
         self.equations = equations_of(self.model)
         return sizes
 
@@ -48,21 +48,24 @@ class Ours(Peer):
         os.environ["PYDY_CACHE_DIR"] = "off"
         return time_of(self.build)
 
-    def _sweep(self, kernel: Any, order: str) -> Any:
+    def _sweep(self, sweep: Any, order: str) -> Any:
         t = np.zeros(self.count)
         x, r = np.asarray(self.x, order=order), np.asarray(self.r, order=order)
         self._out = np.empty(x.shape, order=order)  # kept, as heyoka's is
 
-        def sweep() -> None:
-            _, self._failed = kernel.evaluate(t, x, r, self.p, self._out)
+        def evaluate() -> None:
+            _, self._failed, _ = sweep(t, x, r, self.p, self._out)
 
-        return sweep
+        return evaluate
 
     def scalar(self) -> Any:
-        return self._sweep(self.build(), "C")
+        # The Kernel's own sweep would go over to lanes after half a million states.
+        kernel = self.build()
+        return self._sweep(make_sweep(kernel.program, kernel.functions, 1, 0), "C")
 
     def batched(self) -> Any:
-        return self._sweep(self.build(lanes=8), "F")  # a column per variable, as heyoka has it
+        # A column for each variable, as heyoka has it.
+        return self._sweep(self.build(lanes=8).sweep, "F")
 
     def values(self) -> np.ndarray:
         assert not self._failed.any()

@@ -15,10 +15,10 @@ from harness.peer import Peer, serve_peer
 
 
 class Pinocchio(Peer):
-    def load(self, name: str) -> Any:
+    def load(self, name: str, count: int = Peer.count) -> Any:
         if not name.startswith("pendulum-"):
             raise ValueError("only the pendulums are planar chains")
-        return super().load(name)
+        return super().load(name, count)
 
     def _chain(self) -> pin.Model:
         """Return a cart on a rail and point masses above it, joined by massless links."""

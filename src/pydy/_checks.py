@@ -405,6 +405,20 @@ def unit_and_factor(value: object, argument: str, state: str = "") -> tuple[str,
     return unit, 1.0
 
 
+def unit_of_unconverted(value: object, argument: str, state: str = "") -> str:
+    """Return a unit of values that are not converted; degrees of a `state` need the factor 1."""
+    unit, factor = unit_and_factor(value, argument)
+    if factor != 1.0 or (state and unit in _DEGREES and isinstance(value, str)):
+        radians = f" `{state}` is a state, which is in radians." if state else ""
+        raise ValueError(
+            f"`{argument}` is {shown(value)}, but an ensemble's values are not converted: they, "
+            f"and what `reduce` makes of them, have the units of the model.{radians} Multiply the "
+            f"results, and set their `attrs['units']`. If the equations are written in {unit}, "
+            f"pass `({unit!r}, 1)`."
+        )
+    return unit
+
+
 class SymbolDict(UserDict[Any, Any]):
     """A view of a user's dictionary, in which a symbol and its name are the same key.
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from functools import partial
+from functools import lru_cache, partial
 from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, TypeVar
 
 import numpy as np
@@ -17,9 +17,15 @@ if TYPE_CHECKING:
     from pydy._sympy_types import SymbolOrName
 
 
+@lru_cache(maxsize=64)
 def evenly(count: int, most: int) -> np.ndarray:
-    """Return at most `most` evenly spaced indices below `count`, including the last one."""
-    return np.unique(np.linspace(0, count - 1, min(count, most)).astype(int))
+    """Return at most `most` evenly spaced indices below `count`, including the last one.
+
+    All callers share the array, which is read-only.
+    """
+    indices = np.unique(np.linspace(0, count - 1, min(count, most)).astype(int))
+    indices.flags.writeable = False
+    return indices
 
 
 class Model(Protocol):

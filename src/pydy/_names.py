@@ -8,7 +8,7 @@ from collections import Counter
 from collections.abc import Callable, Container, Iterable, Mapping, Sequence
 from difflib import get_close_matches
 from itertools import count
-from typing import Any
+from typing import Any, SupportsIndex
 
 
 def name_of(symbol: Any) -> str:
@@ -102,6 +102,21 @@ def nearest(name: str, names: Sequence[str], *, or_all: bool = True) -> str:
     if not close and not or_all:
         return ""
     return f"Did you mean `{close[0]}`?" if close else f"There are {', '.join(sorted(names))}."
+
+
+def no_such_quantity(key: object, names: Sequence[str]) -> str:
+    """Return the message for a key that is not a quantity of a trajectory, with the remedy."""
+    parts = key if isinstance(key, tuple) else (key,)
+    if isinstance(key, tuple) and all(isinstance(part, str) for part in parts):
+        hint = f"For several quantities use a list: `trajectory[{[*parts]}]`."
+    elif all(isinstance(part, (SupportsIndex, slice)) for part in parts):
+        hint = (
+            "Index the arrays: `trajectory.states[k]`; `trajectory.at(t)` is the state at a time."
+        )
+    else:
+        hint = nearest(text_of(key), names, or_all=False)
+    text = f"`{text_of(key)}` is not one of the trajectory's quantities: {some(names)}. {hint}"
+    return text.rstrip()
 
 
 def written_out(symbol: Any) -> str:

@@ -39,7 +39,9 @@ _SAME = (
 )
 
 # What other libraries call the argument that selects a solver.
-_CHOOSE_A_SOLVER = ("method", "solver", "integrator")
+_CHOOSE_A_SOLVER = ("method", "solver", "integrator", "ode_solver")
+# What other libraries call the times of the results.
+_TIMES = ("t_eval", "t_span", "t", "tspan", "saveat", "times")
 
 
 def _how_to_choose(solver: object) -> str:
@@ -60,6 +62,8 @@ def check_option_names(solver: str, names: Iterable[str], options: Mapping[str, 
         hint = f"It is called `{alike[0]}` there." if alike else ""
         if unknown[0] in _CHOOSE_A_SOLVER:
             hint = _how_to_choose(options[unknown[0]])
+        if unknown[0] in _TIMES:
+            hint = "Give the times of the results by `system.times = ...`."
         raise TypeError(
             f"`{solver}` has no option `{unknown[0]}`; its options are {', '.join(names)}. "
             f"{hint or nearest(unknown[0], names, or_all=False)}".rstrip()

@@ -2646,7 +2646,7 @@ class System:
         resume: bool | str = False,
         workers: int | None = None,
         progress: bool = False,
-        units: BySymbol[str] | None = None,
+        units: BySymbol[str | tuple[str, float]] | None = None,
         contacts: Contacts | None = None,
         **solver_kwargs: Unpack[EnsembleOptions],
     ) -> Dataset:
@@ -2698,7 +2698,8 @@ class System:
         progress : bool, optional
             Whether to show a progress bar; requires tqdm.
         units : dict of symbols or names to str, optional
-            Values of the attribute ``units`` of the variables.
+            Values of the attribute ``units`` of the variables. Values are not converted: degrees
+            of states are refused, but for ``('deg', 1)``, where the equations are in degrees.
         contacts : pydy.contact.Contacts, optional
             Contacts of this System: trajectories are those of `Contacts.simulate`, one by one, with
             its outputs. Samples share the compiled modes. `reduce='events'` has the transitions.

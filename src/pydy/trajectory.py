@@ -40,7 +40,7 @@ from pydy._names import (
     latex_of,
     latex_of_rate,
     name_of,
-    nearest,
+    no_such_quantity,
     some,
     text_of,
     unique_names,
@@ -97,8 +97,9 @@ class Columns:
 
     def find(self, key: SymbolOrName) -> int:
         """Return the position of a quantity, given its symbol or its name."""
-        k = self._index.get(key) if isinstance(key, Hashable) else None
-        if k is None:
+        names_one = isinstance(key, Hashable) and not isinstance(key, tuple)
+        k: int | None = self._index.get(key) if names_one else None
+        if k is None and names_one:
             k = self._index_of_name.get(name_of(key))
             if k is None and isinstance(key, str):  # as a symbol is printed: 'q1(t)'
                 alike = [j for j, s in enumerate(self.symbols) if str(s) == key]
@@ -112,10 +113,7 @@ class Columns:
                     "Use that one, or its name."
                 )
         if k is None:
-            raise KeyError(
-                f"`{text_of(key)}` is not one of the trajectory's quantities: "
-                f"{some(self.names)}. {nearest(text_of(key), self.names, or_all=False)}".rstrip()
-            )
+            raise KeyError(no_such_quantity(key, self.names))
         return k
 
     def __contains__(self, key: object) -> bool:

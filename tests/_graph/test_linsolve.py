@@ -7,6 +7,7 @@ from graphs import on_tape, solve_program
 from pydy._backends.llvm.native import LLVMBackend
 from pydy._graph.linear_system import LinearSystem
 from pydy._graph.node import Graph
+from pydy._program import OPERATIONS
 from pydy._program.interpret import run
 
 ENGINES = ["interpreted", "compiled"]
@@ -310,6 +311,28 @@ def test_a_diagonal_matrix_costs_one_division_and_one_product_a_row():
     x = LinearSystem(graph, rows, "ldl").solve([graph.input("x", n + i) for i in range(n)])
     count = on_tape(graph, x, (2 * n, 0, 0)).operation_count["run"]
     assert (count["div"], count["mul"], count["add"]) == (n, n, 0)
+
+
+def longest_chain(program):
+    """How many operations on the way to the solution wait for one another."""
+    lengths = []
+    for op, args in zip(program.ops, program.args, strict=True):
+        operands = {"guard": lambda a: a[4], "item": lambda a: a[:1]}.get(
+            op, lambda a, op=op: OPERATIONS.operands(op, a)
+        )(args)
+        counts = op not in ("input", "const", "bool", "item", "guard")
+        lengths.append(max((lengths[k] for k in operands), default=0) + counts)
+    return max(lengths[k] for k in program.outputs)
+
+
+@pytest.mark.parametrize(("kind", "each"), [("ldl", 6), ("lu", 7)])
+def test_one_more_unknown_makes_the_longest_chain_of_a_solve_no_longer_than_its_own_steps(
+    kind, each
+):
+    # Reciprocal, quotient, and product and difference in the elimination; product and difference
+    # in the substitution back, and with LU a product with the reciprocal.
+    chains = [longest_chain(solve_program(n, kind)) for n in range(2, 9)]
+    np.testing.assert_array_equal(np.diff(chains), each)
 
 
 def test_a_definite_matrix_of_constants_is_factorised_once():

@@ -1,5 +1,7 @@
 """Where several terms switch at one point, their derivatives are those of one side."""
 
+from random import Random
+
 import numpy as np
 import pytest
 import sympy as sm
@@ -24,18 +26,43 @@ SMOOTH_AT_ZERO = [
     (sm.exp(sm.sign(x)) * x - sm.exp(2 * sm.Heaviside(x, 0) - 1) * x, 0.0),
 ]
 """Expressions that are smooth in x at zero, with their slopes there."""
+VANISHING_TOGETHER = [
+    (sm.Abs(sm.exp(-x) - 1) * sm.sign(x), 1.0),
+    (sm.Max(x, 0) + sm.Min(sm.sin(x), 0), 1.0),
+    (sm.Max(1 - sm.exp(x), 0) - sm.Max(0, -sm.sin(x)), 0.0),
+    (sm.Abs(x**3 + y * x) * sm.sign(sm.tan(x)), 0.5),
+    (sm.Abs((y - 1) * x) * sm.sign(sm.sinh(x)), 0.5),
+    (sm.Abs(x + y - sm.Rational(1, 2)) * sm.sign(sm.exp(2 * x + 2 * y - 1) - 1), 1.0),
+    (sm.Abs(sm.Abs(x) * sm.sign(sm.tan(x)) + x) * sm.sign(sm.sinh(x)), 2.0),
+    (sm.sign(x) * sm.Max(2 * sm.Abs(x), x**2), 2.0),
+    (sm.sign(x) * sm.Min(2 * sm.Abs(x), x**2), 0.0),
+    (sm.sign(x) * sm.Max(sm.Abs(2 * x), sm.Abs(sm.exp(3 * x) - 1)), 3.0),
+    (sm.sign(x) * sm.Min(sm.Abs(2 * x), sm.Abs(sm.sin(3 * x))), 2.0),
+    (sm.sign(x) * sm.Max(sm.Abs((y - 1) * x), sm.Abs((y + 1) * x)), 1.5),
+    (sm.Abs(y * x) * sm.sign(x**3), 0.5),
+    (sm.Abs(y * x) * sm.sign(x**3) + sm.Abs(x - y), -0.5),
+]
+"""The same of arguments that are no multiples of one another, at y = 1/2."""
 
 
-@pytest.mark.parametrize(("expression", "slope"), SMOOTH_AT_ZERO)
+@pytest.mark.parametrize(("expression", "slope"), [*SMOOTH_AT_ZERO, *VANISHING_TOGETHER])
 def test_terms_that_switch_together_have_the_slope_that_both_sides_have(expression, slope):
     assert derivatives([expression], 0.0, 0.5, variables=(x, y))[0, 0] == pytest.approx(slope)
 
 
-@pytest.mark.parametrize(("expression", "slope"), SMOOTH_AT_ZERO)
+@pytest.mark.parametrize(("expression", "slope"), [*SMOOTH_AT_ZERO, *VANISHING_TOGETHER])
 def test_slopes_at_zero_are_the_limits_of_those_beside_it(expression, slope):
     for side in (-1e-9, 1e-9):
         near = derivatives([expression], side, 0.5, variables=(x, y))[0, 0]
-        assert near == pytest.approx(slope, rel=1e-6)
+        assert near == pytest.approx(slope, rel=1e-6, abs=1e-6)
+
+
+@pytest.mark.parametrize("place", [6371000.0, -(2.0**-28), 3e-9, 150.0])
+@pytest.mark.parametrize("scale", [1e-9, 1.0])
+def test_what_is_zero_together_is_so_wherever_and_however_small_it_is(place, scale):
+    away = (x - sm.Float(place, 17)) / scale
+    pulled = scale * sm.Abs(away) * sm.sign(sm.erfc(away) - 1)
+    assert derivatives([pulled], place, 0.5, variables=(x,))[0, 0] == pytest.approx(-1.0)
 
 
 c, d = P[:2]
@@ -97,3 +124,70 @@ def test_an_equality_of_parameters_selects_an_equation():
 def test_a_plateau_is_no_single_point():
     expression = sm.Piecewise((2 * x, sm.Eq(sm.Max(x, 0), 0)), (3 * x, True))
     assert derivatives([expression], -1.0, variables=(x,))[0, 0] == 2.0
+
+
+# -- random ties -----------------------------------------------------------------------------------
+
+
+def vanishing(v):
+    """Expressions that are zero where v is, of which none is a multiple of another."""
+    of_itself = [
+        v,
+        -v,
+        sm.sin(v),
+        sm.exp(v) - 1,
+        1 - sm.exp(-v),
+        v**3 + v,
+        sm.tanh(v),
+        sm.sinh(2 * v),
+    ]
+    of_others = [
+        v * (1 + y**2),
+        v * (y - 2),
+        c * v,
+        v * sm.cos(y),
+        v / (1 + y**2),
+        v * (2 + sm.sin(c)),
+    ]
+    return of_itself + of_others
+
+
+def switched(random, v):
+    """A sum of terms that switch where v = 0."""
+    a, b = random.sample(vanishing(v), 2)
+    kinds = [
+        lambda: sm.Max(a, 0) + sm.Min(b, 0),
+        lambda: sm.Abs(a) * sm.sign(b),
+        lambda: sm.Max(a, b),
+        lambda: sm.Piecewise((a, b > 0), (b, True)),
+        lambda: sm.Piecewise((a, b <= 0), (0, True)),
+    ]
+    return random.choice([1, 2, -1, sm.Rational(1, 2)]) * random.choice(kinds)()
+
+
+@pytest.mark.parametrize("seed", range(60))
+def test_at_a_random_tie_derivatives_are_those_of_one_side(seed):
+    random = Random(seed)
+    v = random.choice([x, x - y, x + 2 * y, x - c, x + y - c])
+    terms = sum(switched(random, v) for _ in range(random.randint(2, 3)))
+    other, constant = random.choice([0.5, -1.3, 0.0, 3.0]), random.choice([1.0, -0.7, 2.0])
+    place = {
+        x: 0.0,
+        x - y: other,
+        x + 2 * y: -2 * other,
+        x - c: constant,
+        x + y - c: constant - other,
+    }
+    g, nodes = nodes_of([terms])
+    variables = [g.input("x", k) for k in range(2)]
+    forward, backward = (
+        on_tape(g, slopes)
+        for slopes in (jacobian(g, nodes, variables).flat(), adjoints(g, nodes, [g.one], variables))
+    )
+
+    def slopes(program, beside=0.0):
+        return values(program, [place[v] + beside, other, 0.0, 0.0], [constant])
+
+    here, sides = slopes(forward), [slopes(forward, h) for h in (-1e-7, 1e-7)]
+    assert any(side == pytest.approx(here, rel=1e-5, abs=1e-5) for side in sides), terms
+    assert slopes(backward) == pytest.approx(here, rel=1e-12, abs=1e-12)

@@ -131,6 +131,19 @@ def test_constraints_that_jump_in_time_are_told(row, what):
         lambda v: -sm.Max(v, 0) - sm.Min(v, 0),
         lambda v: -sm.Abs(v) * sm.sign(v),
         lambda v: -sm.Symbol("c1") * sm.Max(v, 0) - sm.Symbol("c2") * sm.Min(v, 0),
+        lambda v: -sm.Max(v, 0) - sm.Min(sm.sin(v), 0),
+        lambda v: -sm.Abs(sm.exp(-v) - 1) * sm.sign(v),
+        lambda v: -sm.sign(v) * sm.Max(sm.Abs(v), v**2),
+        lambda v: -sm.Max(v - (sm.Symbol("c1") - 1), 0) - sm.Min(v + (sm.Symbol("c1") - 1), 0),
+    ],
+    ids=[
+        "max and min",
+        "abs and sign",
+        "two dampers",
+        "sine",
+        "exponential",
+        "squared",
+        "no backlash",
     ],
 )
 def test_a_slope_that_both_sides_have_is_that_of_the_linear_model(drag):
@@ -139,6 +152,20 @@ def test_a_slope_that_both_sides_have_is_that_of_the_linear_model(drag):
     assert system.linearize(at={}).A[1, 1] == -1.0  # a warning would be an error
     sweep = system.eigenvalues({sm.Symbol("m"): [1.0, 2.0]}, at={})
     np.testing.assert_allclose(sweep.A[:, 1, 1], [-1.0, -0.5])
+
+
+@pytest.mark.parametrize(
+    "drag",
+    [
+        -sm.Abs(V) - sm.Max(sm.sin(V), 0),
+        -sm.Max(V, 0) - 3 * sm.Min(sm.tan(V), 0),
+        -sm.Max(sm.Abs((X - 1) * V), sm.Abs((sm.cos(X) - 2) * V)),
+    ],
+)
+def test_a_kink_where_several_terms_switch_is_told(drag):
+    with pytest.warns(PyDyUserWarning, match="There is no linear model for both sides") as told:
+        particle_with(drag).linearize(at={})
+    assert len(told) == 1
 
 
 def particle_with(force, *more, directions=(X,), speeds=(V,)):

@@ -10,8 +10,10 @@ import sympy.physics.mechanics as me
 from pydy._mechanics.definition import equations_of_definition
 from pydy._mechanics.kane import equations_of_kane
 from pydy._mechanics.potential import _PotentialSearch, find_potential
+from pydy.contact import kelvin_voigt
 from pydy.mechanics import Definition, Implicit
 from pydy.system import System
+from pydy.vehicles import WheelContact
 from zoo import inertial_frame
 
 Q, U = me.dynamicsymbols("x y"), me.dynamicsymbols("u v")
@@ -162,6 +164,35 @@ def test_a_force_whose_work_depends_on_the_path_is_named(plane):
     assert found.expression == 0
     assert found.unknown == ["the force on the point P, `k*y(t)*N.x`"]
     assert "the same on every path" in found.advice
+
+
+def test_no_term_of_a_torque_without_a_potential_is_integrated(monkeypatch):
+    # A leaning wheel is deflected along its own plane: its normal force depends on the gap alone,
+    # but the lever arm on the camber. SymPy integrated each of the torque's terms, for minutes.
+    frame, ground = inertial_frame()
+    z, lean, pitch, steer = q = me.dynamicsymbols("z lean pitch steer")
+    u = me.dynamicsymbols("w p r s")
+    wheel_frame = frame.orientnew("W", "Body", (lean, pitch, steer), "XYZ")
+    center = ground.locatenew("C", z * frame.z)
+    center.set_vel(frame, u[0] * frame.z)
+    wheel_frame.set_ang_vel(
+        frame, wheel_frame.ang_vel_in(frame).subs(dict(zip([c.diff() for c in q], u, strict=True)))
+    )
+    inertia = (me.inertia(wheel_frame, 1, 2, 1), center)
+    wheel = me.RigidBody("wheel", center, wheel_frame, M, inertia)
+    axis = 0.6 * wheel_frame.y + 0.8 * wheel_frame.z
+    contact = WheelContact(
+        wheel, axis, 0.3, ground, frame.z, frame, lambda gap, rate: kelvin_voigt(gap, rate, 2e5, 0)
+    )
+    definition = Definition(frame, [*q], [*u], bodies=[wheel], loads=contact.loads())
+    integrated = []
+    monkeypatch.setattr("pydy._mechanics.potential._primitive", lambda _, x: integrated.append(x))
+    found = find_potential(equations_of_definition(definition))
+    assert [x.name for x in integrated] == ["z"]  # the force: constraints may fix the angles
+    assert [name.split(",")[0] for name in found.unknown] == [
+        "the force on the point C", "the torque on the frame W",
+    ]  # fmt: skip
+    assert max(map(len, found.unknown)) < 260
 
 
 def test_damping_and_what_depends_on_time_have_none(plane):

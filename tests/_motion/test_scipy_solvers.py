@@ -203,8 +203,12 @@ def test_an_unknown_solver_names_the_nearest(system):
         system.ode_solver = "RK54"
     with pytest.raises(ValueError, match=r"got 'RK4'. Did you mean `rk4`"):
         system.ode_solver = "RK4"
-    with pytest.raises(ValueError, match=r"or a function, got 'ode45'.$"):
+    with pytest.raises(ValueError, match=r"or a function, got 'ode45'. Use 'tsit5'.$"):
         system.ode_solver = "ode45"
+    with pytest.raises(ValueError, match=r"or a function, got 'ODE15S'. Use 'BDF'.$"):
+        system.ode_solver = "ODE15S"
+    with pytest.raises(ValueError, match=r"or a function, got 'scipy'.$"):
+        system.ode_solver = "scipy"
     with pytest.raises(ValueError, match=r"`ode_solver` must be a function .*, got 5"):
         system.ode_solver = 5
 

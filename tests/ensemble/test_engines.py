@@ -3,6 +3,7 @@
 import importlib
 import os
 import pickle
+import pickletools
 import signal
 import subprocess
 import sys
@@ -204,6 +205,23 @@ def test_a_bar_counts_samples(reference, capsys):
     assert "100/100" in capsys.readouterr().err
 
 
+def test_a_bar_is_shown_before_the_first_samples_with_feedback(capsys):
+    pytest.importorskip("tqdm")
+    system, shown = pendulum(), []
+    force = next(iter(system.specifieds_symbols))
+
+    def feedback(x, t):
+        if not shown:
+            shown.append(capsys.readouterr().err)
+        return -x[0]
+
+    system.specifieds = {force: feedback}
+    values = random_values(system, 40)
+    system.integrate_ensemble(**values, workers=1, progress=True)
+    assert "0/40" in shown[0]
+    assert "40/40" in capsys.readouterr().err
+
+
 def test_a_task_carries_the_values_of_its_samples_once_and_dask_takes_none_apart(monkeypatch):
     delayed = importlib.import_module("dask.delayed")
     system = pendulum()
@@ -216,17 +234,50 @@ def test_a_task_carries_the_values_of_its_samples_once_and_dask_takes_none_apart
 
     monkeypatch.setattr(delayed, "unpack_collections", counted)
     lazy = system.integrate_ensemble(**values, chunks=1000, reduce="final")
-    tasks = [
-        task for key, task in dict(lazy.__dask_graph__()).items() if str(key).startswith("_compute")
-    ]
+    graph = dict(lazy.__dask_graph__())
+    blocks = [key for key in graph if key[0].startswith("block-")]
+    assert len(blocks) == 4
     varied = sum(map(len, values.values()))
-    assert len(tasks) == 4
-    for task in tasks:  # values of eight bytes, and the names of arrays
-        assert 8000 * varied < len(pickle.dumps(task)) < 8000 * varied + 20_000
-    # What a variable of a block needs: its function, its arguments and an index. No arrays.
-    variables = len(lazy.data_vars)
-    assert len(opened) <= 4 * (8 + 8 * variables)
-    assert np.ndarray not in opened
+    for key in blocks:  # values of eight bytes, and the names of arrays
+        assert 8000 * varied < len(pickle.dumps(graph[key])) < 8000 * varied + 4000
+    # Besides, the work that all blocks share, and for each variable of a block its name.
+    variables = [key for key in graph if "-of-block-" in key[0]]
+    assert len(variables) == 4 * len(lazy.data_vars)
+    assert max(len(pickle.dumps(graph[key])) for key in variables) < 300
+    assert len(graph) == 1 + len(blocks) + len(variables)
+    assert not opened
+
+
+def test_a_block_is_one_task_and_a_reduction_of_a_variable_another():
+    system = pendulum()
+    values, called = random_values(system, 40), []
+    lazy = system.integrate_ensemble(**values, chunks=10, reduce="final")
+
+    def watch(key, *_):
+        called.append(key[0] if isinstance(key, tuple) else key)
+
+    from dask.callbacks import Callback
+
+    with Callback(pretask=watch):
+        dask.compute(lazy.q1.mean(), lazy.u1.max(), scheduler="synchronous")
+    integrated = [
+        key for key in called if key.startswith("block-") and len(key) == len("block-") + 32
+    ]
+    assert len(integrated) == 4
+    # Each of two reductions: one task for a block and its new name, and those that combine four.
+    assert len(called) - len(integrated) <= 2 * (2 * 4 + 3)
+
+
+def test_events_reach_workers_without_their_expressions():
+    from pydy.solvers import Event
+
+    system = pendulum(ode_solver="dop853")
+    event = Event(system.speeds[1], name="turning")
+    ensemble = _ensemble(system, random_values(system, 4), events=[event], reduce="events")
+    opcodes = pickletools.genops(pickle.dumps(ensemble.work))
+    names = {argument for _, argument, _ in opcodes if isinstance(argument, str)}
+    assert "pydy.solvers.compiled_events" in names
+    assert not [name for name in names if name.startswith("sympy")]
 
 
 @pytest.mark.parametrize("logged", [1, 3])

@@ -33,7 +33,7 @@ def test_a_sample_dimension_and_time_label_the_results(oscillator):
     oscillator.outputs = {sm.Symbol("energy"): v**2 / 2 + k * x**2 / 2}
     starts, stiffness = np.array([1.0, 2.0, 3.0]), np.array([1.0, 4.0, 9.0])
     results = oscillator.integrate_ensemble(
-        initial_conditions={x: starts}, constants={k: stiffness}, rtol=1e-10, units={x: "m"}
+        initial_conditions={x: starts}, constants={k: stiffness}, rtol=1e-10, units={x: ("m", 1)}
     )
     assert dict(results.sizes) == {"sample": 3, "time": 9}
     assert results.x0.dims == ("sample", "time")
@@ -309,6 +309,8 @@ def test_a_terminal_event_leaves_nan_and_says_so(oscillator):
         ({"chunks": {"row": 3}}, ValueError, "not one of the sample dimensions"),
         ({"units": {"weight": "kg"}}, ValueError, "neither a state nor an output"),
         ({"units": {"x0": "m", "x0(t)": "cm"}}, ValueError, "`units` gives `x0` more than once"),
+        ({"units": {"x0": "deg"}}, ValueError, r"is 'deg', .* not converted.* pass `\('deg', 1\)`"),
+        ({"units": {"x0": ("mm", 1e3)}}, ValueError, r"`units\[x0\]` is \('mm', 1000.0\), but a"),
         ({"resume": True}, ValueError, "needs `store`"),
         ({"constraints": "project"}, ValueError, "the system has none"),
     ],

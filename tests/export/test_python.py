@@ -134,7 +134,7 @@ SWITCHED = {
     "nested": lambda q: sm.Piecewise(
         (sm.Piecewise((sm.log(q), q > sm.Rational(1, 4)), (sm.acos(q), True)), q > 0), (1, True)
     ),
-    "large": lambda q: sm.Piecewise((sm.exp(-2e3 * q), q > 0), (q**2, True)),
+    "large": lambda q: sm.Piecewise((sm.exp(-2e3 * q), q > 0), (1 - 2e3 * q, True)),
 }
 
 

@@ -231,6 +231,10 @@ def test_what_falls_freely_has_none_and_the_row_is_named():
         ({"unknowns": ["nothing"]}, "`unknowns` has the key `nothing`"),
         ({"unknowns": []}, "`unknowns` must name"),
         ({"unknowns": 3}, "`unknowns` must be a sequence"),
+        (
+            {"unknowns": {"q1": 3}},
+            r"got {'q1': 3}. To start .*find_equilibrium\(list\(guess\), given",
+        ),
         ({"unknowns": ["q1", "q1"]}, "more than once"),
         ({"given": [1.0]}, "`given` must be a dict"),
         ({"bounds": [1.0]}, "`bounds` must be a dict"),

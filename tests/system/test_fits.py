@@ -17,6 +17,7 @@ from pydy.analysis.fits.residuals import autocorrelation, is_smooth
 from pydy.analysis.fits.search import estimate
 from pydy.contact import Contacts, Stick
 from pydy.errors import FitInterrupted, IntegrationError, PyDyUserWarning
+from pydy.inputs import SampledInput
 from pydy.mechanics import Definition
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.plot import plot_fit
@@ -441,6 +442,59 @@ def test_a_constant_that_one_trial_alone_contains_moves_no_other(method):
     trials = [Trial(TIMES, pushed), Trial(TIMES, free, starts, specifieds={force: 0.0})]
     found = system.fit(["k0", amplitude], trials, method=method)
     assert found.estimates == pytest.approx([4.0, 0.7], rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("of_system", "of_trial"),
+    [
+        (lambda f, h, drive: {(f, h): [drive, 0.1]}, lambda f, h, drive: {h: 0.5}),
+        (lambda f, h, drive: {(f, h): [0.1, 0.5]}, lambda f, h, drive: {"f": drive}),
+        (lambda f, h, drive: {(f, h): 0.5}, lambda f, h, drive: {f: drive}),
+        (
+            lambda f, h, drive: {"symbols": [f, h], "values": [0.1, 0.5]},
+            lambda f, h, drive: {f: drive},
+        ),
+        (
+            lambda f, h, drive: {
+                (f, h): SampledInput([0.0, 10.0], [[0.0, 0.1], [30.0, 0.1]])
+            },
+            lambda f, h, drive: {"h": 0.5},
+        ),
+        (lambda f, h, drive: {f: 0.1, h: 0.1}, lambda f, h, drive: {(f, h): [drive, 0.5]}),
+        (
+            lambda f, h, drive: {(f, h): lambda x, t: np.zeros(2)},
+            lambda f, h, drive: {f: drive, h: 0.5},
+        ),
+    ],
+)  # fmt: skip
+def test_a_trial_may_give_some_of_the_specifieds_that_the_system_gives_together(
+    of_system, of_trial
+):
+    q, u, f, h = me.dynamicsymbols("q u f h")
+    k, drive = sm.Symbol("k"), 3 * me.dynamicsymbols._t
+    N, O = inertial_frame()
+    P = O.locatenew("P", q * N.x)
+    loads = [(P, (f + h - k * q) * N.x)]
+    mass = Definition(N, [q], [u], bodies=[me.Particle("P", P, 1)], loads=loads)
+    system = System(mass, constants={k: 3.0}, specifieds=of_system(f, h, drive))
+    swing = 0.125 * (1 - np.cos(2 * TIMES)) + 0.75 * (TIMES - np.sin(2 * TIMES) / 2)
+    trial = Trial(TIMES, {q: swing}, specifieds=of_trial(f, h, drive))
+    assert system.fit([k], trial).estimates == pytest.approx([4.0], rel=1e-6)
+
+
+def test_one_of_several_specifieds_given_together_may_be_a_parameter():
+    q, u, f, h = me.dynamicsymbols("q u f h")
+    N, O = inertial_frame()
+    P = O.locatenew("P", q * N.x)
+    loads = [(P, (f + h - 4 * q) * N.x)]
+    mass = Definition(N, [q], [u], bodies=[me.Particle("P", P, 1)], loads=loads)
+    system = System(mass, specifieds={(f, h): [3 * me.dynamicsymbols._t, 0.1]})
+    swing = 0.125 * (1 - np.cos(2 * TIMES)) + 0.75 * (TIMES - np.sin(2 * TIMES) / 2)
+    trials = [Trial(TIMES, {q: swing}), Trial(TIMES, {q: swing})]
+    assert system.fit([h], trials).estimates == pytest.approx([0.5], rel=1e-6)
+    trials[1] = Trial(TIMES, {q: swing}, specifieds={(f, h): 1.0})
+    with pytest.raises(ValueError, match=r"gives h\(t\) a value of its own, but `parameters`"):
+        system.fit([h], trials)
 
 
 @BOTH

@@ -142,6 +142,14 @@ def test_options_go_to_the_solver():
     system = pendulum(SPECIFIEDS["numbers"], "dop853")
     _, info = system.integrate(rtol=1e-3, atol=1e-3, max_step=0.01, full_output=True)
     assert info["steps"] in (139, 140, 141)
+    with pytest.raises(
+        TypeError, match=r"no option `t_eval`; .* results by `system.times = ...`.$"
+    ):
+        system.integrate(t_eval=[0.0, 1.0])
+    with pytest.raises(
+        TypeError, match=r"no option `ode_solver`; .* `system.ode_solver = 'RK45'`.$"
+    ):
+        system.integrate(ode_solver="RK45")
     with pytest.raises(TypeError, match="`dop853` has no option `mxstep`; its options are atol"):
         system.integrate(mxstep=3)
 

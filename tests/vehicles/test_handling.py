@@ -200,7 +200,11 @@ def test_results_are_drawn():
     system = single_track(UNDERSTEER)
     response, turn = step_steer(system, 0.01), steady_turn(system, 100.0, [1.0, 2.0, 3.0])
     assert response.plot().get_ylabel() == "r"
-    assert turn.plot().get_xlabel() == "lateral acceleration (m/s²)"
+    drawn = turn.plot()
+    assert drawn.get_xlabel() == "lateral acceleration (m/s²)"
+    assert drawn.get_ylabel() == "steering angle (°)"
+    np.testing.assert_array_equal(drawn.lines[0].get_xdata(), [1.0, 2.0, 3.0])
+    np.testing.assert_allclose(np.radians(drawn.lines[0].get_ydata()), turn.angles)
     assert repr(response).startswith("<StepResponse of r: steady 0.05")
     assert repr(turn).startswith("<SteadyTurn of 100 m up to 3 m/s²: understeer gradient 0.18")
 

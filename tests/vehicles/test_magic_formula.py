@@ -3,6 +3,7 @@
 import itertools
 import re
 from functools import cache
+from importlib.resources import files
 
 import mpmath as mp
 import numpy as np
@@ -14,7 +15,7 @@ from pydy.codegen.ode_function_generators import generate_ode_function
 from pydy.errors import PyDyUserWarning
 from pydy.mechanics import Definition
 from pydy.system import System
-from pydy.vehicles import MagicFormula
+from pydy.vehicles import MagicFormula, read_tir
 from zoo import inertial_frame, tires
 from zoo.tires import COMMON, NAMES, TABLE_A31, TIRES, slip_states
 
@@ -431,6 +432,24 @@ def test_coefficients_may_be_constants_of_a_model():
         tire.replace(LMU=1.0)
     with pytest.raises(TypeError, match="`alpha` must be a number or an expression"):
         tire.forces(4000, 0.0, [0.1, 0.2])
+
+
+def test_a_dictionary_of_a_file_is_the_file():
+    file = read_tir(files("pydy.examples") / "passenger_car.tir")
+    state = (4000, -0.05, 0.05, 0.02)
+    read = MagicFormula(file, side="right")
+    given = MagicFormula({**file.coefficients, "TYRESIDE": "LEFT"}, side="right")
+    assert given.mirrored
+    assert (given.version, given.missing) == (read.version, read.missing)
+    assert given.forces(*state) == read.forces(*state)
+    assert given.forces(*state) != MagicFormula(file).forces(*state)
+    assert MagicFormula({**TABLE_A31, "FITTYP": 62}).version == "6.2"
+    assert MagicFormula({**TABLE_A31, "USE_MODE": 13}).use_mode == 13
+    assert MagicFormula({**TABLE_A31, "TYRESIDE": "LEFT", "FZMAX": 9000}).version == "6.1"
+    with pytest.raises(ValueError, match=r"`coefficients` is for another tire .*MF-MCTyre 1\.1"):
+        MagicFormula({**TABLE_A31, "FITTYP": 52})
+    with pytest.raises(ValueError, match="`FITTYP` must be"):
+        MagicFormula({**TABLE_A31, "FITTYP": "61b"})
 
 
 def test_inputs_are_checked_by_name():

@@ -3,7 +3,14 @@
 import numpy as np
 import pytest
 
-from pydy.vehicles import CARS, SingleTrackCar, double_track, lane_change, single_track
+from pydy.vehicles import (
+    CARS,
+    SingleTrackCar,
+    car_trailer,
+    double_track,
+    lane_change,
+    single_track,
+)
 from pydy.vehicles.scenes import car_scene
 
 CAR = CARS["bmw_320i"]
@@ -55,6 +62,34 @@ def test_a_car_without_track_widths_is_as_wide_as_it_should_be():
     system = single_track(car)
     places, _ = wheels(car_scene(system, car, width=2.0).animate(system.simulate()), 0)
     assert np.ptp(places[:, 1]) + 0.2 < 2.0  # with the width of a tire
+
+
+def test_a_trailer_stands_behind_its_hitch():
+    car = SingleTrackCar(1500, 2500, 1.2, 1.5, 90e3, 110e3)
+    system = car_trailer(
+        car, mass=1200, yaw_inertia=2500, hitch=2.5, length=4.0, centre=4.2, stiffness=70e3
+    )
+    system.specifieds = {"delta": 0.05}
+    system.times = np.linspace(0.0, 2.0, 11)
+    motion = system.simulate()
+    scene = car_scene(system, car, width=1.7).animate(motion, fps=None)
+    numbers = [n for n, v in enumerate(scene.visuals) if v.name == "trailer wheels"]
+    x, y, psi, phi = (motion[name][-1] for name in ("x", "y", "psi", "phi"))
+    assert abs(phi) > 0.005
+    assert abs(psi) > 0.1
+    axle = np.array([x, y]) - 2.5 * direction(psi) - 4.0 * direction(psi + phi)
+    places = scene.poses[-1, numbers, :3, 3]
+    assert places.mean(0) == pytest.approx([*axle, 0.33], abs=1e-12)
+    aside = direction(psi + phi + np.pi / 2)
+    assert (places[0] - places[1])[:2] == pytest.approx(0.88 * 1.7 * aside, abs=1e-12)
+    assert any(v.name == "trailer" for v in scene.visuals)
+    alone = car_scene(single_track(car), car)
+    assert not any("trailer" in v.name for v in alone.visuals)
+
+
+def direction(angle):
+    """Return the horizontal unit vector at an angle from x."""
+    return np.array([np.cos(angle), np.sin(angle)])
 
 
 def test_what_is_no_car_is_refused():

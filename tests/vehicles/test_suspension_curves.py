@@ -179,3 +179,11 @@ def test_hard_points_are_checked():
             WISHBONE, lower_outer=point(LOWER + 0.3j), upper_outer=point(UPPER + 0.3j),
             tie_rod_outer=point(LOWER + 0.3j, -0.12),
         ).curves([0.0], RADIUS)  # fmt: skip
+
+
+def test_camber_and_toe_are_drawn_in_degrees_over_millimetres():
+    curves = WISHBONE.curves([-0.02, 0.0, 0.03], RADIUS)
+    camber, toe = curves.plot().lines
+    np.testing.assert_allclose(np.radians(camber.get_xdata()), curves.camber)
+    np.testing.assert_allclose(np.radians(toe.get_xdata()), curves.toe)
+    np.testing.assert_allclose(camber.get_ydata(), [-20.0, 0.0, 30.0], atol=1e-9)

@@ -3,6 +3,7 @@
 from dataclasses import replace
 from functools import cache
 
+import mpmath as mp
 import numpy as np
 import pytest
 
@@ -86,8 +87,25 @@ def test_the_outputs_of_a_bicycle_that_rolls_are_the_forces_of_the_road():
 
 @cache
 def stiff_eigenvalues(stiffness, speed):
-    system = bicycle_on_tires(stiffness)
-    return eigenvalues(system, BENCHMARK, speed)
+    """Return the four eigenvalues that are nearest to those of wheels that roll.
+
+    By inverse iteration with 30 digits: in a stiff matrix those of LAPACK have errors of 1e-9.
+    """
+    model = bicycle_on_tires(stiffness).linearize(at=straight(BENCHMARK, speed))
+    found = []
+    with mp.workdps(30):
+        matrix, unit = mp.matrix(model.A.tolist()), mp.eye(len(model.A))
+        for expected in benchmark_eigenvalues(speed):
+            nearest = model.eigenvalues[np.abs(model.eigenvalues - expected).argmin()]
+            value, vector = mp.mpc(complex(nearest)), mp.matrix([1] * len(model.A))
+            for _ in range(4):
+                value += mp.mpf(10) ** -20  # else the matrix becomes singular
+                solution = mp.lu_solve(matrix - value * unit, vector)
+                k = max(range(len(solution)), key=lambda i: abs(solution[i]))
+                value += vector[k] / solution[k]
+                vector = solution / solution[k]
+            found.append(complex(value))
+    return np.array(found)
 
 
 @cache
@@ -111,11 +129,7 @@ def bicycle_on_tires(stiffness):
 def test_on_stiff_tires_the_eigenvalues_tend_to_those_of_wheels_that_roll(speed):
     stiffnesses = 2e6 * 2.0 ** np.arange(5)
     expected = benchmark_eigenvalues(speed)
-    table = []
-    for stiffness in stiffnesses:
-        found = stiff_eigenvalues(stiffness, speed)
-        table.append([found[np.abs(found - value).argmin()] for value in expected])
-    table = np.array(table)
+    table = np.array([stiff_eigenvalues(stiffness, speed) for stiffness in stiffnesses])
     errors = np.abs(table - expected).max(axis=1)
     assert errors[:-1] / errors[1:] == pytest.approx(2.0, rel=0.03)  # of first order in 1/C
     for order in range(1, len(table)):

@@ -208,6 +208,19 @@ def test_events_units_and_typeset_labels_are_on_the_page():
         Scene(N, O, units={q: 5})
 
 
+def test_a_unit_with_a_factor_converts_and_degrees_of_a_state_need_one():
+    trajectory = Trajectory([0.0, 1.0], [[0.0], [1.0]], {"coordinate": [q]})
+    made = Scene(N, O, Visual(Sphere(1), O), series={"angle": q}, units={"angle": "deg"})
+    with pytest.raises(ValueError, match=r"`units\[angle\]` is 'deg', a label for .*180/np.pi\)`"):
+        made.animate(trajectory)
+    units = {"angle": ("deg", 180 / np.pi)}
+    made = Scene(N, O, Visual(Sphere(1), O), series={"angle": q}, units=units)
+    drawn = data_of(made.animate(trajectory))["series"][0]
+    values = floats(drawn["values"], "<f8")
+    assert drawn["unit"] == "deg"
+    assert values == pytest.approx([0.0, 57.29577951308232], rel=1e-15)
+
+
 @pytest.mark.skipif(shutil.which("node") is None, reason="needs Node.js")
 def test_a_scale_of_the_strip_has_two_round_numbers_at_least():
     script = (files("pydy.viz") / "assets/strip.js").read_text(encoding="utf-8")

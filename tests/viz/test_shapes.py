@@ -50,6 +50,15 @@ def test_a_shape_can_be_changed_and_is_checked_again():
         assert copied == ball
 
 
+def test_arguments_of_a_shape_are_named_with_its_own_name():
+    with pytest.raises(TypeError, match=r"Sphere has no argument `radios`; .* mean `radius`\?"):
+        Sphere(radios=1)
+    with pytest.raises(TypeError, match=r"Cone: missing a required argument: 'radius'. Its ar"):
+        Cone(1)
+    with pytest.raises(TypeError, match=r"Damper: too many positional arguments. Its ar"):
+        Damper(1, 2, 3, 4, 5, 6, 7, 8, 9)
+
+
 def test_scripts_may_leave_out_sizes():
     assert Sphere().radius == Octahedron().radius == 10.0
     assert (Plane().length, Plane().width) == (10.0, 5.0)

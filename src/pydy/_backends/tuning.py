@@ -8,6 +8,12 @@ unless it says otherwise. What depends on the processor is in `pydy._backends.ll
 # no gain.
 TEMPORARY = 5
 
+# Angles of one state whose sines and cosines are computed side by side, at most. Eight are a
+# register of AVX-512. While such an instruction is on its way, Intel's processors have one port for
+# scalar arithmetic in place of two (Intel 64 and IA-32 Architectures Optimization Reference Manual,
+# of port 1 with AVX-512): scalar code took 1.2 to 2.1 times as long.
+PACKED = 4
+
 # Operations from which code does not fit the processor's cache for it, and those for one result of
 # models that do little but the same for each: 300 masses in half the time where LLVM looks for
 # them, in 3 to 5 times the compile time. With AVX2, 100 masses in 0.83 of the time where all eight

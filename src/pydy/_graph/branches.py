@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
+from pydy._graph.derivative import DerivativeRows
 from pydy._graph.node import Graph
 from pydy._graph.rewrite import substitute
 
@@ -91,9 +92,9 @@ class Branches:
 
     def protected_conditions(self) -> list[int]:
         """Return conditions, true at single states, by which a Piecewise avoids a singularity."""
-        from pydy._graph.one_sided import protected_conditions  # most models do not switch
+        from pydy._graph.one_sided import sides_of  # most models do not switch
 
-        return protected_conditions(self.graph, self.nodes)
+        return sides_of(self.graph, DerivativeRows).protected_conditions(self.nodes)
 
 
 def _turning(graph: Graph, node: int) -> int:

@@ -51,7 +51,7 @@ def jacobian(graph: Graph, outputs: Sequence[int], variables: Sequence[int]) -> 
     """Return the derivatives of outputs by variables, which are columns in their order.
 
     At a switch (``abs``, ``sign``, ``min``, ``max``, Piecewise) the derivative is the one on the
-    side where its argument is positive, see `pydy._graph.one_sided`; steps have derivative zero.
+    same side for all that switch there, see `pydy._graph.one_sided`; steps have derivative zero.
     """
     seeds: dict[int, Row] = {}
     for k, node in enumerate(variables):  # of which one may be there several times
@@ -101,9 +101,9 @@ def on_side(g: Graph, node: int) -> int:
     """Return a node at a switch on the side that derivatives belong to."""
     if not g.has_steps:
         return node
-    from pydy._graph.one_sided import one_sided  # most models do not switch
+    from pydy._graph.one_sided import sides_of  # most models do not switch
 
-    return one_sided(g, node)
+    return sides_of(g, DerivativeRows).one_sided(node)
 
 
 def partials_on_side(g: Graph, node: int) -> list[int]:
@@ -119,9 +119,9 @@ def condition_on_side(g: Graph, select: int) -> int:
     """Return the condition of a ``select`` on the side that its derivative belongs to."""
     if not g.has_steps:
         return int(g.args[select][0])
-    from pydy._graph.one_sided import condition_on_side
+    from pydy._graph.one_sided import sides_of
 
-    return condition_on_side(g, select)
+    return sides_of(g, DerivativeRows).condition_on_side(select)
 
 
 class DerivativeRows:

@@ -18,7 +18,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
@@ -30,6 +30,12 @@ if TYPE_CHECKING:
 # Factors of a product that are not just counted.
 _SPECIAL_FACTORS = frozenset({"const", "prod", "sum", "sqrt"})
 _STEPS = frozenset({"sign", "select"})
+
+
+class _Copied(Protocol):
+    """What a graph knows of its nodes."""
+
+    def copy(self, graph: Graph) -> _Copied: ...
 
 
 class Graph(Nodes):
@@ -44,8 +50,7 @@ class Graph(Nodes):
         super().__init__()
         self.off = off  # what its nodes are not simplified by (`pydy._graph.passes.names`)
         self.has_steps = False  # whether any node may jump, other than guards
-        self.one_sided: dict[int, int] = {}  # see `pydy._graph.one_sided`, as `facts`
-        self.facts = bytearray()
+        self.sides: _Copied | None = None  # see `pydy._graph.one_sided`
         self._counted: list[bool] = []  # whether a product only counts how often it has the node
         # Of `solve` nodes, see `pydy._graph.residuals`: b − A x in two forms, where derivatives are
         # made of it, and what they were before they were simplified.
@@ -67,8 +72,8 @@ class Graph(Nodes):
         twin.constant, twin._node_of = self.constant.copy(), self._node_of.copy()
         twin._operands, twin._counted = self._operands.copy(), self._counted.copy()
         twin.zero, twin.one, twin.off = self.zero, self.one, self.off
-        twin.has_steps, twin.one_sided = self.has_steps, {} if names else self.one_sided.copy()
-        twin.facts = bytearray() if names else self.facts.copy()
+        twin.has_steps = self.has_steps
+        twin.sides = None if names or self.sides is None else self.sides.copy(twin)
         twin.residuals, twin.systems = self.residuals.copy(), self.systems.copy()
         nodes = {}
         for old, new in (names or {}).items():
@@ -79,19 +84,6 @@ class Graph(Nodes):
             twin.args[node] = new
             twin._node_of["input", new] = node
         return twin
-
-    def record_systems(self, roots: Sequence[int], simplified: Sequence[int]) -> None:
-        """Record which linear system each one of simplified nodes was before.
-
-        In simplified entries constants are joined already, which residuals would join otherwise.
-        """
-        solves = [
-            [k for k in self.reachable(r) if self.ops[k] == "solve"] for r in (roots, simplified)
-        ]
-        # Of several systems nothing says which one became which.
-        if all(len(nodes) == 1 for nodes in solves):
-            (before,), (after,) = solves
-            self.systems[after] = before
 
     make = Nodes.node
 

@@ -3,144 +3,198 @@
 Where x = 0, ``max(x, 0) + min(x, 0)`` and ``abs(x) sign(x)`` are x on both sides, but each of
 their operations alone has a kink or a jump. Their derivatives add up to that of x only if all of
 them belong to one side of x = 0. So the conditions and signs that a derivative contains are those
-on the side where their argument is positive, also where it is zero.
+on the side where their argument is positive, also where it is zero: its first term that depends on
+the state, if it has several.
 
-Arguments that are multiples of one another have one sign: that of their first term is positive. The
-condition that a function of the state has a value holds on no side. A branch that is not regular at
-the switch, as √x or a quotient that a Piecewise protects, is not entered there. Conditions of time
-stay as they are, since their sides are the times before and after, and so do those of parameters in
-a Piecewise, which select an equation. The solution of a linear system is the one at the point.
+Arguments that are zero together are on one side together, whichever form they have: beside x,
+exp(−x) − 1 is negative. If two of them may change their signs alike or not, as x and (y − 1) x,
+they have the sign of their slope in one direction, found as derivatives are. All weights of that
+direction are positive and differ, so that neither x nor x − y is zero along it.
+
+The condition that a function of the state has a value holds on no side. A branch that is not
+regular at the switch, as √x or a quotient that a Piecewise protects, is not entered there.
+Conditions of time stay as they are, since their sides are the times before and after, and so do
+those of parameters in a Piecewise, which select an equation. The solution of a linear system is the
+one at the point.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from typing import TypeAlias
 
+from pydy._graph.facts import INPUT, PARTLY_CONSTANT, SOLUTIONS, STATE, TIME, NodeFacts
 from pydy._graph.node import Graph
 from pydy._graph.rewrite import make_canonical, replaced
-from pydy._program import OPERATIONS, leads
+from pydy._graph.switch_arguments import SwitchArguments
 
-_SOLUTIONS = frozenset({"item", "solve", "guard", "factor"})
-# Facts of a node: what it or any of its operands is.
-_STATE, _INPUT, _TIME, _PARTLY_CONSTANT, _IRREGULAR = 1, 2, 4, 8, 16
-_OF_GROUP = {"x": _STATE, "r": _INPUT, "t": _TIME}
 _COMPARISONS = frozenset({"lt", "le"})
-# Operations with finite slopes of all orders, or steps.
-_REGULAR = frozenset(
-    {"const", "bool", "input", "sum", "prod", "select", "abs", "sign", "min", "max", "lt", "le"}
-    | {"eq", "ne", "and", "or", "not", "sin", "cos", "exp", "tanh", "atan", "sinh", "cosh", "erf"}
-)
+_Row: TypeAlias = dict[int, int]
+# Makes `pydy._graph.derivative.DerivativeRows`, which asks for sides in turn.
+_MakeRows: TypeAlias = Callable[
+    [Graph, dict[int, _Row], Callable[[int], _Row]], Callable[[int], _Row]
+]
+_GOLDEN = 0.5 * (5.0**0.5 - 1.0)  # its multiples differ from one another by no simple ratio
 
 
-def one_sided(g: Graph, node: int) -> int:
-    """Return a node that is the same elsewhere, and where switches are zero that on one side."""
-    memo, stack = g.one_sided, [node]
-    while stack:
-        n = stack[-1]
-        if n in memo:
-            stack.pop()
-            continue
-        if g.ops[n] in _SOLUTIONS:
-            memo[n] = n
-            continue
-        missing = [m for m in g.operands(n) if m not in memo]
-        if missing:
-            stack += missing
-            continue
-        memo[n] = result = _on_side(g, n, memo)
-        memo[result] = result
-    return memo[node]
+class DerivativeSides:
+    """The nodes of a graph just beside each point, in one direction.
 
-
-def condition_on_side(g: Graph, select: int) -> int:
-    """Return the condition of a ``select`` on the side that its derivative belongs to."""
-    condition, yes, no = g.args[select]
-    return _condition(g, one_sided(g, condition), yes, no)
-
-
-def protected_conditions(g: Graph, nodes: Sequence[int]) -> list[int]:
-    """Return conditions, true at single states, by which a Piecewise avoids a singular branch."""
-    conditions = []
-    for n in g.reachable(nodes):
-        if g.ops[n] == "select" and g.ops[g.args[n][0]] in ("eq", "ne"):
-            condition, yes, no = g.args[n]
-            equal = g.ops[condition] == "eq"
-            singular = not _is_regular(g, no if equal else yes)
-            if singular and _is_isolated(g, *g.args[condition]):
-                conditions.append(condition if equal else g.call("not", condition))
-    return conditions
-
-
-def _on_side(g: Graph, node: int, memo: dict[int, int]) -> int:
-    op, args = g.ops[node], replaced(g, node, memo)
-    if op == "sign":
-        return _step(g, args[0])
-    if op == "select":
-        args = (_condition(g, *args), *args[1:])
-    return node if args == g.args[node] else make_canonical(g, op, args)
-
-
-def _step(g: Graph, argument: int) -> int:
-    """Return 1 or −1, by the sign of an argument."""
-    positive, negative = g.one, g.const(-1.0)
-    if leads(g, argument, g.zero):
-        return g.call("select", g.call("lt", argument, g.zero), negative, positive)
-    return g.call("select", g.call("lt", g.zero, argument), positive, negative)
-
-
-def _condition(g: Graph, condition: int, yes: int, no: int) -> int:
-    """Return the condition of a ``select`` on one side, if the branch of that side is regular."""
-    op, args = g.ops[condition], g.args[condition]
-    if op in _COMPARISONS:
-        side = _of_comparison(g, op, args)
-        # Where its operands are equal 'lt' takes the second branch, 'le' the first.
-        if side == op or not _is_regular(g, no if side == "lt" else yes):
-            return condition
-        return g.call(side, *args)
-    if op in ("eq", "ne"):
-        branch = no if op == "eq" else yes
-        if _is_isolated(g, *args) and _is_regular(g, branch):
-            return g.boolean(op == "ne")
-        return condition
-    if op in ("and", "or", "not") and _is_regular(g, yes) and _is_regular(g, no):
-        return g.call(op, *(_condition(g, n, yes, no) for n in args))
-    return condition
-
-
-def _of_comparison(g: Graph, op: str, args: tuple[int, ...]) -> str:
-    """Return 'lt' or 'le': whether a comparison holds on the side of equal operands."""
-    facts = _facts(g, args[0]) | _facts(g, args[1])
-    if not facts & _STATE and (facts & _TIME or not facts & _INPUT):
-        return op
-    return "lt" if leads(g, *args) else "le"
-
-
-def _is_isolated(g: Graph, a: int, b: int) -> bool:
-    """Return whether two nodes can be equal at single states only, by structure.
-
-    Equalities of parameters and steps select an equation, and hold as long as they are not changed.
+    Attributes
+    ----------
+    nodes : dict
+        From nodes to those that are the same elsewhere, and where switches are zero on that side.
+    conditions : set
+        Conditions that are on that side already.
+    rows : dict
+        Of nodes the slopes in the direction, of states (0) and of specifieds (1).
+    facts : NodeFacts
+    arguments : SwitchArguments
     """
-    facts = 0
-    for n in (a, b):
-        facts |= _facts(g, g.args[n][0] if g.ops[n] == "abs" else n)
-    return a != b and facts & (_STATE | _PARTLY_CONSTANT) == _STATE
+
+    def __init__(self, graph: Graph, make_rows: _MakeRows) -> None:
+        self.graph, self._make_rows = graph, make_rows
+        self.nodes: dict[int, int] = {}
+        self.conditions: set[int] = set()
+        self.rows: dict[int, _Row] = {}
+        self.facts = NodeFacts(graph)
+        self.arguments = SwitchArguments(graph, self.facts)
+        self._originals: dict[int, int] = {}
+
+    def copy(self, graph: Graph) -> DerivativeSides:
+        """Return the same for a copy of the graph."""
+        twin = DerivativeSides(graph, self._make_rows)
+        twin.nodes, twin.conditions = self.nodes.copy(), self.conditions.copy()
+        twin.rows, twin._originals = self.rows.copy(), self._originals.copy()
+        twin.facts = self.facts.copy(graph)
+        twin.arguments = self.arguments.copy(graph, twin.facts)
+        return twin
+
+    def one_sided(self, node: int) -> int:
+        """Return a node that is the same elsewhere, and where switches are zero on that side."""
+        g, memo, stack = self.graph, self.nodes, [node]
+        while stack:
+            n = stack[-1]
+            if n in memo:
+                stack.pop()
+                continue
+            if g.ops[n] in SOLUTIONS:
+                memo[n] = n
+                continue
+            missing = [m for m in g.operands(n) if m not in memo]
+            if missing:
+                stack += missing
+                continue
+            memo[n] = result = self._on_side(n)
+            if result not in memo:
+                memo[result] = result
+                self._originals[result] = n
+        return memo[node]
+
+    def condition_on_side(self, select: int) -> int:
+        """Return the condition of a ``select`` on the side that its derivative belongs to."""
+        condition, yes, no = self.graph.args[select]
+        return self._condition(self.one_sided(condition), yes, no)
+
+    def protected_conditions(self, nodes: Sequence[int]) -> list[int]:
+        """Return conditions, true at single states, by which a Piecewise avoids a singularity."""
+        g, conditions = self.graph, []
+        for n in g.reachable(nodes):
+            if g.ops[n] == "select" and g.ops[g.args[n][0]] in ("eq", "ne"):
+                condition, yes, no = g.args[n]
+                equal = g.ops[condition] == "eq"
+                singular = not self.facts.is_regular(no if equal else yes)
+                if singular and self._is_isolated(*g.args[condition]):
+                    conditions.append(condition if equal else g.call("not", condition))
+        return conditions
+
+    def _on_side(self, node: int) -> int:
+        g = self.graph
+        op, args = g.ops[node], replaced(g, node, self.nodes)
+        if op == "sign":
+            return self._step(args[0])
+        if op == "select":
+            args = (self._condition(*args), *args[1:])
+        return node if args == g.args[node] else make_canonical(g, op, args)
+
+    def _step(self, argument: int) -> int:
+        """Return 1 or −1, by the sign of an argument."""
+        g = self.graph
+        positive, negative = g.one, g.const(-1.0)
+        if self._is_below(argument, g.zero) is False:
+            is_negative = self._comparison("lt", argument, g.zero)
+            return g.call("select", is_negative, negative, positive)
+        is_positive = self._comparison("lt", g.zero, argument)
+        return g.call("select", is_positive, positive, negative)
+
+    def _condition(self, condition: int, yes: int, no: int) -> int:
+        """Return the condition of a ``select`` on one side, if its branch there is regular."""
+        g = self.graph
+        op, args = g.ops[condition], g.args[condition]
+        if condition in self.conditions:
+            return condition
+        if op in _COMPARISONS:
+            # Where its operands are equal 'lt' takes the second branch, 'le' the first.
+            other = yes if op == "lt" else no
+            return self._comparison(op, *args) if self.facts.is_regular(other) else condition
+        if op in ("eq", "ne"):
+            branch = no if op == "eq" else yes
+            if self._is_isolated(*args) and self.facts.is_regular(branch):
+                return g.boolean(op == "ne")
+            return condition
+        if op in ("and", "or", "not") and self.facts.is_regular(yes) and self.facts.is_regular(no):
+            return g.call(op, *(self._condition(n, yes, no) for n in args))
+        return condition
+
+    def _comparison(self, op: str, a: int, b: int) -> int:
+        """Return whether a < b, or a ≤ b, on the side of equal operands."""
+        g, facts = self.graph, self.facts.of(a, b)
+        if not facts & STATE and (facts & TIME or not facts & INPUT):
+            return g.call(op, a, b)
+        is_below = self._is_below(a, b)
+        if is_below is None:
+            factor, argument = self._argument(a, b)
+            growth = g.sum([(self._slope(argument, 0 if facts & STATE else 1), -factor)])
+            just_below = g.call("or", g.call("lt", a, b), g.call("lt", g.zero, growth))
+            comparison = g.call("and", g.call("le", a, b), just_below)
+        else:
+            comparison = g.call("le" if is_below else "lt", a, b)
+        self.conditions.add(comparison)
+        return comparison
+
+    def _is_below(self, a: int, b: int) -> bool | None:
+        """Return whether a < b beside the states where they are equal; None if slopes tell."""
+        factor, argument = self._argument(a, b)
+        sign = self.arguments.sign(argument)
+        return factor * sign < 0.0 if sign else None
+
+    def _argument(self, a: int, b: int) -> tuple[float, int]:
+        return self.arguments.argument(*(self._originals.get(n, n) for n in (a, b)))
+
+    def _slope(self, node: int, direction: int) -> int:
+        rows = self._make_rows(self.graph, self.rows, self._weight)
+        return rows(node).get(direction, self.graph.zero)
+
+    def _weight(self, node: int) -> _Row:
+        """Return the component of the direction that belongs to an input."""
+        group, index = self.graph.args[node]
+        weight = self.graph.const(1.0 + index * _GOLDEN % 1.0)
+        return {"x": {0: weight}, "r": {1: weight}}.get(group, {})
+
+    def _is_isolated(self, a: int, b: int) -> bool:
+        """Return whether two nodes can be equal at single states only, by structure.
+
+        Equalities of parameters and steps select an equation, and hold as long as they are not
+        changed.
+        """
+        g, facts = self.graph, 0
+        for n in (a, b):
+            facts |= self.facts.of(g.args[n][0] if g.ops[n] == "abs" else n)
+        return a != b and facts & (STATE | PARTLY_CONSTANT) == STATE
 
 
-def _is_regular(g: Graph, node: int) -> bool:
-    return not _facts(g, node) & _IRREGULAR
-
-
-def _facts(g: Graph, node: int) -> int:
-    """Return the facts of a node; those of all nodes are computed once."""
-    facts = g.facts
-    for n in range(len(facts), node + 1):
-        op, args = g.ops[n], g.args[n]
-        bits = _OF_GROUP.get(args[0], 0) if op == "input" else 0
-        if op in OPERATIONS.partly_constant or op in _SOLUTIONS:
-            bits |= _PARTLY_CONSTANT
-        if op not in _REGULAR or (op == "prod" and any(e < 0 for _, e in args)):
-            bits |= _IRREGULAR
-        for operand in g.operands(n):
-            bits |= facts[operand]
-        facts.append(bits)
-    return facts[node]
+def sides_of(graph: Graph, make_rows: _MakeRows) -> DerivativeSides:
+    """Return the sides of a graph, which it keeps."""
+    if not isinstance(graph.sides, DerivativeSides):
+        graph.sides = DerivativeSides(graph, make_rows)
+    return graph.sides

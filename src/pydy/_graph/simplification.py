@@ -22,8 +22,22 @@ def simplify(graph: Graph, roots: Sequence[int]) -> list[int]:
     # (relative pendulum); where it saves less, 0.6 % at most, for a fifth of the whole build.
     if run.run_passes(ROUND) >= 0.0075 * before:
         run.run_passes(ROUND)
-    graph.record_systems(roots, run.nodes)
+    _record_systems(graph, roots, run.nodes)
     return run.nodes
+
+
+def _record_systems(graph: Graph, roots: Sequence[int], simplified: Sequence[int]) -> None:
+    """Record which linear system each one of simplified nodes was before.
+
+    In simplified entries constants are joined already, which residuals would join otherwise.
+    """
+    solves = [
+        [k for k in graph.reachable(r) if graph.ops[k] == "solve"] for r in (roots, simplified)
+    ]
+    # Of several systems nothing says which one became which.
+    if all(len(nodes) == 1 for nodes in solves):
+        (before,), (after,) = solves
+        graph.systems[after] = before
 
 
 class _Run:

@@ -233,20 +233,29 @@ def warn_of_kinks(
     slopes = np.concatenate([switch_slopes, sides], axis=2)
     rows = np.broadcast_to(at.r, (m, w))
     for k, switch in np.argwhere(near):
+        several = near[k].sum() > 1
         with np.errstate(all="ignore"):  # non-finite values are reported where they are used
             directional = slopes[k, switch, :, :n] @ T[k]
             by_inputs = slopes[k, switch, :, n:][:, [*columns]]
             directional = np.concatenate([directional, by_inputs], axis=1)
         above, below = directional[1 : 1 + width], directional[1 + width :]
         largest = np.maximum(np.abs(above), np.abs(below))
-        turns = (np.abs(above - below) > HALF * largest) | (steps[k, switch] > 0.0)[:, None]
-        acts = directional[0] != 0.0
-        for row, column in np.argwhere(turns & acts)[:1]:
+        jumps = np.broadcast_to(steps[k, switch][:, None], above.shape)
+        turns = (np.abs(above - below) > HALF * largest) | (jumps > 0.0)
+        turns &= directional[0] != 0.0
+        if several:  # what they do together is on neither side of one alone
+            one, other, error = _slopes_beside(at, k, _directions(T[k], columns, w), parts)
+            sizes = np.maximum(largest, np.maximum(np.abs(one), np.abs(other)))
+            known = error <= _SAME_SLOPE * sizes
+            differ = np.abs(one - other) > np.maximum(4.0 * error, HALF * sizes)
+            turns, jumps = np.where(known, differ, turns), np.where(known, 0.0, jumps)
+            above, below = np.where(known, one, above), np.where(known, other, below)
+        for row, column in np.argwhere(turns)[:1]:
             symbols = [*(states[j] for j in free), *(definition.specifieds[j] for j in columns)]
             value = [*at.x[k, free], *rows[k, [*columns]]][column]
             speed = row < len(states) and states[row] in equations.speeds
-            description = f"jumps by {steps[k, switch, row]:.3g}"
-            if not steps[k, switch, row]:
+            description = f"jumps by {jumps[row, column]:.3g}"
+            if not jumps[row, column]:
                 description = f"has the slope {above[row, column]:.3g} on one side by it"
                 description += f" and {below[row, column]:.3g} on the other"
             warn_user(
@@ -256,6 +265,68 @@ def warn_of_kinks(
                 "it, or give a smooth expression."
             )
             return
+
+
+# Distances from a state to both sides. Whatever its unit is, neighbours among them are small beside
+# natural lengths and large beside rounding errors, and give the same slope.
+_DISTANCES = 2.0 ** -np.arange(4.0, 100.0, step=4.0)
+_SAME_SLOPE = 2.0**-8  # an error of the first order changes sixteenfold between neighbours
+
+
+def _directions(
+    T: np.ndarray, columns: Sequence[int], specifieds: int
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return directions of x and of r: the tangents T, (n, k), then single specifieds."""
+    n, k = T.shape
+    of_x, of_r = np.zeros((k + len(columns), n)), np.zeros((k + len(columns), specifieds))
+    of_x[:k] = T.T
+    of_r[range(k, k + len(columns)), [*columns]] = 1.0
+    return of_x, of_r
+
+
+def _beside(
+    at: StateSamples,
+    k: int,
+    directions: tuple[np.ndarray, np.ndarray],
+    parts: Callable[[Assembly], dict[str, list[int]]],
+    block: str,
+) -> np.ndarray:
+    """Return values beside state k, shape (directions, distances, sides, values)."""
+    of_x, of_r = directions
+    steps = _DISTANCES[:, None, None] * np.array([1.0, -1.0])[:, None]
+    x = at.x[k] + of_x[:, None, None] * steps
+    r = np.broadcast_to(at.r, (len(at.x), of_r.shape[1]))[k] + of_r[:, None, None] * steps
+    count = x[..., 0].size
+    samples = replace(at.subset(np.full(count, k)), x=x.reshape(count, -1), r=r.reshape(count, -1))
+    return samples.interpret(parts)[block].reshape(*x.shape[:3], -1)
+
+
+def _best(slopes: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return slopes and their errors, (values, directions), from those at all distances."""
+    change = np.abs(np.diff(slopes, axis=1))
+    change[~np.isfinite(change)] = np.inf
+    best = change.argmin(axis=1)[:, None]
+    slope = np.take_along_axis(slopes, best + 1, axis=1)[:, 0].T
+    return slope, np.take_along_axis(change, best, axis=1)[:, 0].T
+
+
+def _slopes_beside(
+    at: StateSamples,
+    k: int,
+    directions: tuple[np.ndarray, np.ndarray],
+    parts: DerivativeDiscontinuities,
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return the rates' slopes on both sides of state k, and errors, each (rates, directions).
+
+    By difference quotients; at a jump the errors are infinite, or larger than the slopes.
+    """
+    values, here = _beside(at, k, directions, parts, "nodes"), at.interpret(parts)["nodes"][k]
+    with np.errstate(all="ignore"):
+        (above, error_above), (below, error_below) = (
+            _best(sign * (values[:, :, side] - here) / _DISTANCES[:, None])
+            for side, sign in enumerate((1.0, -1.0))
+        )
+    return above, below, error_above + error_below
 
 
 @dataclass(frozen=True)
@@ -270,12 +341,6 @@ class _ProtectedStates:
         return {"conditions": truths, "rates": [*rates] if conditions else []}
 
 
-# Distances from a state to both sides. Whatever its unit is, neighbours among them are small beside
-# natural lengths and large beside rounding errors, and give the same slope.
-_DISTANCES = 2.0 ** -np.arange(4.0, 100.0, step=4.0)
-_SAME_SLOPE = 2.0**-8  # an error of the first order changes sixteenfold between neighbours
-
-
 def warn_of_protected_states(
     at: StateSamples, T: np.ndarray, free: np.ndarray, A: np.ndarray
 ) -> None:
@@ -288,19 +353,11 @@ def warn_of_protected_states(
     parts = _ProtectedStates()
     if not _switches(at, parts, "conditions"):
         return
-    states = at.definition.states
-    for k in np.flatnonzero(at.interpret(parts)["conditions"].any(axis=1)):
-        distances = _DISTANCES[:, None, None] * np.array([1.0, -1.0])[:, None]
-        x = at.x[k] + T[k].T[:, None, None] * distances  # directions, distances, sides, states
-        sides = replace(at.subset(np.full(x[..., 0].size, k)), x=x.reshape(-1, len(states)))
-        rates = sides.interpret(parts)["rates"].reshape(x.shape)[..., free]
+    states, specifieds = at.definition.states, len(at.definition.specifieds)
+    for k in map(int, np.flatnonzero(at.interpret(parts)["conditions"].any(axis=1))):
+        rates = _beside(at, k, _directions(T[k], (), specifieds), parts, "rates")[..., free]
         with np.errstate(all="ignore"):
-            slopes = (rates[:, :, 0] - rates[:, :, 1]) / (2.0 * _DISTANCES[:, None])
-            change = np.abs(np.diff(slopes, axis=1))
-        change[~np.isfinite(change)] = np.inf
-        best = change.argmin(axis=1)[:, None]
-        slope = np.take_along_axis(slopes, best + 1, axis=1)[:, 0].T  # rates, directions
-        error = np.take_along_axis(change, best, axis=1)[:, 0].T
+            slope, error = _best((rates[:, :, 0] - rates[:, :, 1]) / (2.0 * _DISTANCES[:, None]))
         largest = np.maximum(np.abs(slope), np.abs(A[k]))
         lost = (error <= _SAME_SLOPE * np.abs(slope)) & (np.abs(slope - A[k]) > HALF * largest)
         for row, column in np.argwhere(lost)[:1]:

@@ -6,7 +6,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from pydy._graph import Graph, inputs_of, jacobian, linear_terms
+from pydy._graph import Branches, Graph, inputs_of, jacobian, linear_terms
+from pydy._mechanics.tuning import ACROSS
 from pydy._rank import ROUNDED
 
 _STATES = 3
@@ -94,3 +95,21 @@ def numbers_of(
                 matrix = slope[k].reshape(len(zero_rows), -1)
                 x[k] -= np.linalg.lstsq(matrix, residuals[k], rcond=None)[0]
     return values(flat)
+
+
+def numbers_across(
+    graph: Graph, flat: Sequence[int], switched: Sequence[int], zero_rows: Sequence[int] = ()
+) -> np.ndarray:
+    """Return values of nodes as `numbers_of`, and on the other side of each switch of `switched`.
+
+    A one-sided force is zero at most states.
+    """
+    rows = [numbers_of(graph, flat, zero_rows)]
+    for switch in Branches(graph, switched).switches():
+        before = numbers_of(graph, [switch], zero_rows)[0, 0]
+        for share in ACROSS:
+            row = graph.sum([(switch, 1.0)], -share * before)
+            values = numbers_of(graph, [*flat, switch], [*zero_rows, row])
+            across = np.isfinite(values).all(axis=1) & (values[:, -1] * before < 0.0)
+            rows.append(values[across, :-1])
+    return np.vstack(rows)

@@ -25,19 +25,19 @@ import numpy as np
 import sympy as sm
 from sympy.physics.mechanics import Point, ReferenceFrame, Vector
 
+from pydy._checks import shown
 from pydy._errors import UnsupportedFunctionError
 from pydy._forks import cached_property
-from pydy._graph import Branches, Graph
-from pydy._mechanics.components import numbers_of
+from pydy._graph import Graph
+from pydy._mechanics.components import numbers_across
 from pydy._mechanics.distance import beside_constants, may_depend_on
 from pydy._mechanics.equations import Equations, Mechanism
 from pydy._mechanics.frame_tree import FrameTree, distances, given_velocity, steps_to, velocity_in
 from pydy._mechanics.frames import orthogonality_residuals
 from pydy._mechanics.reader import InputReader
 from pydy._mechanics.symbols import find_symbols, replace_symbols
-from pydy._mechanics.tuning import INTEGRABLE
-from pydy._mechanics.verify_potential import ACROSS, has_momenta_of, is_potential_of
-from pydy._mechanics.work import forces_of_power, has_quotients
+from pydy._mechanics.verify_potential import has_momenta_of, is_potential_of
+from pydy._mechanics.work import forces_of_power, has_quotients, may_be_exact
 from pydy._rank import ROUNDED
 
 if TYPE_CHECKING:
@@ -86,9 +86,17 @@ class _Term:
     def vector(self) -> Vector:
         return self.size * self.direction
 
-    def __str__(self) -> str:
-        kind = "force on the point" if isinstance(self.location, Point) else "torque on the frame"
-        return f"the {kind} {self.location}, `{self.vector}`"
+
+def _names(terms: Iterable[_Term]) -> list[str]:
+    """Return a name for messages of each load that has some of the terms."""
+    vectors: dict[Location, Vector] = {}
+    for term in terms:
+        vectors[term.location] = vectors.get(term.location, Vector(0)) + term.vector
+    return [
+        f"the {'force on the point' if isinstance(location, Point) else 'torque on the frame'} "
+        f"{location}, `{shown(vector)}`"
+        for location, vector in vectors.items()
+    ]
 
 
 def find_potential(equations: Equations) -> Potential:
@@ -132,7 +140,7 @@ class _PotentialSearch:
         self.away = cache(lambda point: distances(point, FrameTree.positions))
         self.line = cache(self._line)
         # Groups of loads are tried again with fewer members; single loads that failed are cached.
-        self.antiderivative = cache(self._antiderivative)
+        self.exact, self.antiderivative = cache(self._may_be_exact), cache(self._antiderivative)
         read = InputReader(Graph(), {}, ())
         matrices = FrameTree(self.frame).rotation_matrices()
         self.turns = [m for m in matrices if orthogonality_residuals([m], read)]
@@ -171,13 +179,13 @@ class _PotentialSearch:
             return Potential(
                 sm.S.Zero,
                 [
-                    f"the load on {location}, `{vector}`"
+                    f"the load on {location}, `{shown(vector)}`"
                     for location, vector in self.mechanism.loads
                 ],
                 _NO_INTEGRAL,
             )
         advice = [_NO_PLACE] * bool(unlocated) + [_NO_INTEGRAL] * (len(unknown) > len(unlocated))
-        return Potential(load_energy, [str(term) for term in unknown], " ".join(advice))
+        return Potential(load_energy, _names(unknown), " ".join(advice))
 
     def _velocity(self, location: Location) -> Vector:
         if isinstance(location, Point):
@@ -441,13 +449,14 @@ class _PotentialSearch:
         if not terms:
             return []
         powers = tuple(self._power(t.location, t.vector) for t in terms)
-        energy = self.antiderivative(powers)
+        *each, together = self.exact(powers)
+        energy = self.antiderivative(powers) if together else None
         if energy is not None:
             self.recognised.append((energy, sm.Add(*powers)))
             return []
         remaining = []
-        for term, power in zip(terms, powers, strict=True):
-            if (energy := self.antiderivative((power,))) is None:
+        for term, power, exact in zip(terms, powers, each, strict=True):
+            if not exact or (energy := self.antiderivative((power,))) is None:
                 remaining.append(term)
             else:
                 self.recognised.append((energy, power))
@@ -462,11 +471,12 @@ class _PotentialSearch:
         opposite = _opposite([term.vector for term in terms], self.turns)
         numbers = range(len(terms))
         pairs = [[j, k] for k in numbers for j in range(k) if opposite(k, j)]
+        powers = [self._power(term.location, term.vector) for term in terms]
         remaining = set(numbers)
         for group in [*pairs, *([k] for k in numbers)]:
             if not remaining.issuperset(group):
                 continue
-            power = sm.Add(*(self._power(terms[k].location, terms[k].vector) for k in group))
+            power = sm.Add(*(powers[k] for k in group))
             energy = self._along_rate(power)
             if energy is not None:
                 self.recognised.append((energy, power))
@@ -475,6 +485,10 @@ class _PotentialSearch:
 
     def _along_rate(self, power: sm.Expr) -> sm.Expr | None:
         """Return minus the integral of a force times the rate of one coordinate, or None."""
+        factors = [find_symbols([factor]) for factor in sm.Mul.make_args(power)]
+        speeds = {u for _, u, _ in self._single}
+        if any(speeds.isdisjoint(f) and len(self.coordinates & f.keys()) > 1 for f in factors):
+            return None  # a factor of the force depends on two coordinates
         for c, u, slope in self._single:
             force = power.diff(u) / slope
             if force == 0 or not self._is_constant(force.xreplace({c: sm.S.One})):
@@ -525,6 +539,11 @@ class _PotentialSearch:
             slopes = ((u, rate.diff(u)) for u in self.equations.speeds)
             single += [(c, u, slope) for u, slope in slopes if slope.is_number and slope][:1]
         return single
+
+    def _may_be_exact(self, powers: tuple[sm.Expr, ...]) -> list[bool]:
+        in_rates, coordinates = self._in_rates
+        in_speeds = [replace_symbols(power, in_rates) for power in powers]
+        return may_be_exact(in_speeds, coordinates, self.turns)
 
     def _antiderivative(self, powers: tuple[sm.Expr, ...]) -> sm.Expr | None:
         """Return minus the integral of the work, one coordinate after the other, or None."""
@@ -577,8 +596,6 @@ class _PotentialSearch:
 def _primitive(force: sm.Expr, x: sm.Symbol) -> sm.Expr | None:
     """Return a continuous integral over x, or None if SymPy finds none."""
     if force.has(*_SWITCHED):
-        if sm.count_ops(force) > INTEGRABLE:
-            return None  # SymPy tries all rules for each interval, without an end in sight
         force = sm.piecewise_fold(force.rewrite(sm.Piecewise))
     try:
         integral = sm.integrate(force, x, manual=True)
@@ -602,16 +619,8 @@ def _numbers(expressions: Sequence[sm.Expr], turns: Iterable[sm.Matrix]) -> np.n
     """
     graph = Graph()
     read = InputReader(graph, {}, ())
-    nodes, zero_rows = read.all(expressions), orthogonality_residuals(turns, read)
-    rows = [numbers_of(graph, nodes, zero_rows)]
-    for switch in Branches(graph, nodes).switches():
-        before = numbers_of(graph, [switch], zero_rows)[0, 0]
-        for share in ACROSS:
-            row = graph.sum([(switch, 1.0)], -share * before)
-            values = numbers_of(graph, [*nodes, switch], [*zero_rows, row])
-            across = np.isfinite(values).all(axis=1) & (values[:, -1] * before < 0.0)
-            rows.append(values[across, :-1])
-    return np.vstack(rows)
+    nodes = read.all(expressions)
+    return numbers_across(graph, nodes, nodes, orthogonality_residuals(turns, read))
 
 
 def _opposite(vectors: Sequence[Vector], turns: Iterable[sm.Matrix]) -> Callable[[int, int], bool]:

@@ -53,11 +53,6 @@ LIGHT, LIGHTEST = 2e-7, 1e-4
 three digits of the dependent speeds' derivatives are lost. The second applies if pivots are not
 checked, since the equations of the independent speeds lose twice as many."""
 
-INTEGRABLE = 1000
-"""Largest number of operations of a force with switches that SymPy integrates. Those of a stop or
-a tire have some tens; the force of a tire in the coordinates of a suspension has thousands, on
-which SymPy spends more than ten minutes."""
-
 READABLE = 2000
 """Largest number of terms that are expanded for printing: an arm of three joints in space, with all
 moments and products of inertia, has some hundreds."""
@@ -69,3 +64,7 @@ is the remainder of a cancellation."""
 NEAR = (2.0**-20, 2.0**-30)
 """Two relative distances from a switch at which only a jump has equal sizes: a term that tends to
 zero shrinks by a factor of a thousand, an unbounded one grows."""
+
+ACROSS = (-1.0, -0.1, -0.01)
+"""Distances beyond a switch at which states are sampled, relative to the distance before it. Limbs
+have a limited reach."""

@@ -10,16 +10,13 @@ import numpy as np
 from pydy._graph import Branches, jacobian, rounding_bounds
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.generic import Block, GenericStates
-from pydy._mechanics.tuning import NEAR
+from pydy._mechanics.tuning import ACROSS, NEAR
 from pydy._rank import ROUNDED
 
 if TYPE_CHECKING:
     import sympy as sm
 
 _TRIALS = 3
-# Distances beyond a switch at which states are sampled, relative to the distance before it. Limbs
-# have a limited reach.
-ACROSS = (-1.0, -0.1, -0.01)
 _SEARCH_STARTS = (-41.0, 41.0)  # 6 revolutions from zero, or as many units of length
 
 

@@ -2,15 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from itertools import combinations
 from typing import TYPE_CHECKING, TypeAlias
 
+import numpy as np
 import sympy as sm
 
+from pydy._errors import UnsupportedFunctionError
+from pydy._graph import Graph, jacobian, rounding_bounds
+from pydy._mechanics.components import numbers_across
+from pydy._mechanics.frames import orthogonality_residuals
+from pydy._mechanics.reader import InputReader
 from pydy._mechanics.symbols import find_symbols
+from pydy._rank import ROUNDED
 
 if TYPE_CHECKING:
-    from pydy._sympy_types import AnySymbol
+    from pydy._sympy_types import AnySymbol, TimeFunction
 
 # A sum of terms, each with its number, for each speed.
 _Linear: TypeAlias = "dict[AnySymbol, dict[sm.Expr, sm.Expr]]"
@@ -83,3 +91,53 @@ def has_quotients(expression: sm.Expr) -> bool:
         p.base.has(sm.Add) and not (p.exp.is_Integer and p.exp > 0)
         for p in expression.atoms(sm.Pow)
     )
+
+
+def may_be_exact(
+    powers: Sequence[sm.Expr],
+    coordinates: Mapping[AnySymbol, TimeFunction],
+    turns: Iterable[sm.Matrix],
+) -> list[bool]:
+    """Return for each power, and last for their sum, whether its work may have a potential.
+
+    The generalised forces along `coordinates`, given by their rates, must satisfy
+    ∂Fᵢ/∂qⱼ = ∂Fⱼ/∂qᵢ, up to rounding. A torque of a wheel has many terms, of which none has a
+    potential: this numeric test excludes them before SymPy expands and integrates them, one by one.
+    Coordinates without a force are not compared, since constraints may hold these.
+    """
+    graph = Graph()
+    read = InputReader(graph, {}, ())
+    undecided = [True] * (len(powers) + 1)
+    try:
+        nodes = read.all(powers)
+        nodes.append(graph.sum([(node, 1.0) for node in nodes]))
+        rates, q = read.all(coordinates), read.all(coordinates.values())
+        zero_rows = orthogonality_residuals(turns, read)
+    except UnsupportedFunctionError:  # SymPy may still integrate it
+        return undecided
+    forces = np.reshape(jacobian(graph, nodes, rates).flat(), (len(nodes), len(rates)))
+    places, pairs = [], []
+    for row, force in enumerate(forces.tolist()):
+        acting = [k for k, node in enumerate(force) if node != graph.zero]
+        slopes = np.reshape(
+            jacobian(graph, [force[k] for k in acting], [q[k] for k in acting]).flat(),
+            (len(acting), len(acting)),
+        )
+        for i, j in combinations(range(len(acting)), 2):
+            places.append(row)
+            pairs.append([slopes[i, j], slopes[j, i], force[acting[i]], force[acting[j]]])
+    if not pairs:
+        return undecided
+    cells = [int(node) for pair in pairs for node in pair]
+    with np.errstate(invalid="ignore"):
+        values, bounds = (
+            numbers_across(
+                graph, [*cells, *rounding_bounds(graph, cells, constants=True)], nodes, zero_rows
+            )
+            .reshape(-1, 2, len(pairs), 4)
+            .swapaxes(0, 1)
+        )
+        unequal = np.abs(values[..., 0] - values[..., 1]) > ROUNDED * bounds[..., :2].sum(axis=2)
+        acts = (np.abs(values[..., 2:]) > ROUNDED * bounds[..., 2:]).all(axis=2)
+    on_path = {row for row, bad in zip(places, (unequal & acts).any(axis=0), strict=True) if bad}
+    return [row not in on_path for row in range(len(nodes))]

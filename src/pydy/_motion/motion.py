@@ -56,6 +56,9 @@ class Segment:
     # requested, or if there were more steps than are stored.
     dense: Any = None
     augmented: Any = None  # the AugmentedSystem of these modes, with sensitivities
+    # The outputs of the problem at all times of the motion, if it is the only part of it and they
+    # were computed before.
+    outputs: np.ndarray | None = None
 
     def rates(self, t: float, x: np.ndarray) -> np.ndarray:
         """Return the derivatives of the states at a time of the segment, or after its end."""

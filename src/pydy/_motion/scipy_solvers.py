@@ -154,6 +154,12 @@ def call_odeint(
 
 # -- solve_ivp ------------------------------------------------------------------------------------
 
+# The nearest solver here to one of MATLAB, or of SciPy's older interface.
+_ELSEWHERE = {
+    "ode45": "tsit5", "ode23": "RK23", "ode78": "dop853", "ode89": "vern9", "ode113": "odeint",
+    "ode15s": "BDF", "ode15i": "radau", "ode23s": "radau", "ode23t": "radau", "ode23tb": "radau",
+    "dopri5": "RK45", "vode": "BDF", "cvode": "BDF", "cvodes": "BDF", "ida": "radau",
+}  # fmt: skip
 METHODS = ("RK45", "RK23", "DOP853", "Radau", "BDF", "LSODA")
 
 
@@ -172,9 +178,11 @@ def resolve_ode_solver(solver: object) -> Callable[..., Any] | None:
     if solver in METHODS:
         return SolveIvp(getattr(scipy.integrate, solver))
     names = ("odeint", *SOLVERS, "solve_ivp", *METHODS)
+    known = _ELSEWHERE.get(solver.lower())
+    hint = f"Use {known!r}." if known else nearest(solver, names, or_all=False)
     raise ValueError(
         f"`ode_solver` must be one of {', '.join(map(repr, names))}, or a function, got "
-        f"{shown(solver)}. {nearest(solver, names, or_all=False)}".rstrip()
+        f"{shown(solver)}. {hint}".rstrip()
     )
 
 

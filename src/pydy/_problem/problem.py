@@ -224,6 +224,8 @@ def with_settings(problem: Problem, **changes: Any) -> Problem:
 def evaluate_specifieds(problem: Problem, times: np.ndarray, states: np.ndarray) -> np.ndarray:
     """Return the specifieds at m times and states, shape (m, s), with those of expressions."""
     symbols = problem.definition.specifieds
+    if not symbols:
+        return np.empty((len(times), 0))
     if not problem.plan.expressions:
         rows = problem.inputs.rows(np.ascontiguousarray(states), times)
         return np.array(np.broadcast_to(rows, (len(times), len(symbols))))

@@ -7,7 +7,6 @@ from .operations import (
     Operation as Operation,
     constraint_mark as constraint_mark,
     is_constrained as is_constrained,
-    leads as leads,
     symmetric as symmetric,
 )
 from .program import Program as Program, Tape as Tape

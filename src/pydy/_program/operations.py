@@ -223,7 +223,7 @@ def _partials_of_atan2(g: NodeBuilder, n: int, y: int, x: int) -> Nodes:
     return g.div(x, square), g.neg(g.div(y, square))
 
 
-def leads(g: OperationSequence, a: int, b: int) -> bool:
+def _leads(g: OperationSequence, a: int, b: int) -> bool:
     """Return whether the first term of a − b is positive: where a = b, derivatives take a > b."""
     difference: dict[int, float] = {}
     for node, sign in ((a, 1.0), (b, -1.0)):
@@ -345,13 +345,13 @@ register(
 register(
     Operation(
         "min", 2, np.minimum, "minimum({0}, {1})", "intrinsic minimum",
-        _chosen(lambda g, a, b: g.call("lt" if leads(g, a, b) else "le", a, b)), _extremum,
+        _chosen(lambda g, a, b: g.call("lt" if _leads(g, a, b) else "le", a, b)), _extremum,
     )
 )  # fmt: skip
 register(
     Operation(
         "max", 2, np.maximum, "maximum({0}, {1})", "intrinsic maximum",
-        _chosen(lambda g, a, b: g.call("le" if leads(g, a, b) else "lt", b, a)), _extremum,
+        _chosen(lambda g, a, b: g.call("le" if _leads(g, a, b) else "lt", b, a)), _extremum,
     )
 )  # fmt: skip
 

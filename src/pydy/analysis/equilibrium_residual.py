@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pydy._assembly import Definition
-from pydy._checks import check_mapping, describe, listed, number, refuse_twice
+from pydy._checks import check_mapping, describe, listed, number, refuse_twice, shown
 from pydy._errors import EquilibriumError, warn_user
 from pydy._graph import inputs_of
 from pydy._judges import warn_of_missing_derivatives
@@ -77,6 +77,12 @@ class EquilibriumResidual:
             raise ValueError(f"`moving` must hold coordinates, got {some(names)}.")
         self.x, self.p = problem.x.copy(), problem.p.copy()
         fixed_slots = self._apply_values(check_mapping("given", fixed_values))
+        if isinstance(unknowns, Mapping):
+            raise TypeError(
+                f"`unknowns` must be a sequence of symbols, got {shown(unknowns)}. To start from "
+                "these values: `find_equilibrium(list(guess), given=guess)`, or set "
+                "`system.initial_conditions`; to fix them: `given`."
+            )
         if unknowns is None:
             excluded = {*fixed_slots, *(located(definition, key, "over") for key in varied)}
             unknowns = [

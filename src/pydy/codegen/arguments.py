@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
 from copy import copy
 from dataclasses import dataclass, replace
 from inspect import signature
@@ -199,6 +199,41 @@ def symbolic_entries(value: object) -> list[object] | None:
     else:
         return None
     return entries if any(map(_is_symbolic, entries)) else None
+
+
+def without(
+    values: Mapping[AnySymbol | tuple[AnySymbol, ...], object], symbols: Container[AnySymbol]
+) -> dict[AnySymbol | tuple[AnySymbol, ...], object]:
+    """Return specifieds without those of some symbols; the others of a tuple retain their values.
+
+    Values that do not fit their tuple are not changed: `SpecifiedsPlan` refuses them.
+    """
+    remaining: dict[AnySymbol | tuple[AnySymbol, ...], object] = {}
+    for key, value in values.items():
+        if not isinstance(key, tuple):
+            if key not in symbols:
+                remaining[key] = value
+            continue
+        retained = [k for k, symbol in enumerate(key) if symbol not in symbols]
+        if len(retained) == len(key):
+            remaining[key] = value
+        elif retained:
+            remaining[tuple(key[k] for k in retained)] = _part_of(value, key, retained)
+    return remaining
+
+
+def _part_of(value: Any, names: tuple[AnySymbol, ...], positions: list[int]) -> object:
+    """Return the value of some of the specifieds that have one value together."""
+    if isinstance(value, SampledInput):
+        return value.of(positions) if value.size == len(names) else value
+    if callable(value) and not isinstance(value, sm.Basic):
+        return _Checked(value, names, False, tuple(range(len(names)))).of(positions)
+    entries = symbolic_entries(value)
+    if entries is None:
+        if np.ndim(value) == 0:  # one number applies to each
+            return value
+        entries = list(np.ravel(value))
+    return [entries[k] for k in positions] if len(entries) == len(names) else value
 
 
 def _is_symbolic(value: object) -> bool:

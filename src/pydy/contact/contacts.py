@@ -189,7 +189,7 @@ class Contacts:
         A Problem with `modes` starts in these, projected onto their constraints; otherwise the
         modes follow from the state.
         """
-        if len(times):
+        if len(times) and times is not problem.settings.times:
             problem = problem.replace(times=times, t=float(times[0]))
         run = self._run(problem, times, solver, events, **options)
         if sensitivities is not None:

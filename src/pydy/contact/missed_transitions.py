@@ -36,6 +36,8 @@ class ContactSimulation(Protocol):
     rows: ContactRows
     modes: tuple[str, ...]
     sizes: np.ndarray  # of forces where a segment begins
+    times: np.ndarray  # (m,), at which states are given
+    states: np.ndarray  # (m, n), NaN where they are not known yet
     n: int  # number of states
     first: int  # the column of the first speed
 
@@ -70,43 +72,46 @@ def missed_transitions(
     end: float,
     last: np.ndarray | None,
     reported: Collection[tuple[str, int]],
-) -> list[tuple[str, int]]:
+) -> tuple[list[tuple[str, int]], np.ndarray | None]:
     """Refuse a motion in one mode if its integration missed a transition.
 
     `output_index` has the columns of the mode's outputs. Return the kinds and contacts of
     inequalities that are violated from the start on: with forces at their limits, or contacts that
     are `at_rest`, several modes are possible at the start, and the motion shows which are wrong.
-    Transitions `reported` by events at the end, where a load may jump, are not missed there.
+    Transitions `reported` by events at the end, where a load may jump, are not missed there. Return
+    also the outputs at all times of the simulation if the motion is the whole of it.
     """
     symbols = run.compiled.symbols
-    before_end, sample_times = motion.times < end, motion.times[:0]
+    # Rows: the times of the motion, the end, and times at which the solver's steps begin.
+    count = int(motion.times.searchsorted(end))
+    whole = last is None and count + 1 == len(motion.times) == len(run.times)
     last = motion.states[-1] if last is None else last[: run.n]  # before the event's reset
-    rows = [motion.states[before_end], last[None]]
+    instants = [motion.times[:count], np.array([end])]
+    rows = [motion.states[:count], last[None]]
     dense = motion.segments[0].dense
     if dense is not None:  # only as many steps as are stored
-        starts, sample_times = dense.starts, np.linspace(motion.times[0], end, CHECKED)
+        starts = dense.starts
         if len(starts) > CHECKED:  # select evenly spaced steps
             sample_times = starts[evenly(len(starts), CHECKED)]
-        sample_times = sample_times[sample_times < end]
-        rows.insert(1, dense(sample_times)[:, : run.n])
-    sample_times, states = (
-        np.concatenate([motion.times[before_end], sample_times, [end]]),
-        np.concatenate(rows),
-    )
+        else:
+            sample_times = np.linspace(motion.times[0], end, CHECKED)
+        sample_times = sample_times[: sample_times.searchsorted(end)]
+        instants.append(sample_times)
+        rows.append(dense(sample_times)[:, : run.n])
+    sample_times, states = np.concatenate(instants), np.concatenate(rows)
     table = motion.problem.at(sample_times, states).outputs()
-    least = table.min(axis=0)
     broken = []
     for i, c in enumerate(run.contacts):
         if run.modes[i] == OPEN and i in run.rows.cuts:
             _check_cuts(run, i, sample_times, states)
-        if run.modes[i] == OPEN and least[output_index[symbols[i, "gap"]]] >= 0.0:
+        if run.modes[i] == OPEN and table[:, output_index[symbols[i, "gap"]]].min() >= 0.0:
             continue
         for symbol, slack, kind, words in _limits(run, i, i in at_rest):
             column = output_index[symbol]
             values = table[:, column] * (-1.0 if words[:5] == "power" else 1.0)
             allowed = SLACK * np.abs(values).max(initial=0.0) + slack
             below = values < -allowed
-            below[-1:] &= (kind, i) not in reported
+            below[count] &= (kind, i) not in reported
             if below.any() and symbol is symbols.get((i, "gap")):
                 # Compare with the start: a gap that was closed before may have drifted.
                 below &= values < values[0] - allowed
@@ -134,7 +139,9 @@ def missed_transitions(
                 f"The {words} of {c.name!r} became {table[worst, column]:.3g} "
                 + remedy,
             )  # fmt: skip
-    return broken
+    # A projection may have moved the first state, which the simulation gives as it was.
+    whole = whole and bool((motion.states[0, : run.n] == run.states[0]).all())
+    return broken, table[: count + 1] if whole else None
 
 
 def _check_cuts(run: ContactSimulation, i: int, times: np.ndarray, states: np.ndarray) -> None:

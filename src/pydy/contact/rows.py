@@ -45,6 +45,7 @@ class StartError(InfeasibleError):
     """A gap is negative at the first time."""
 
 
+_ZERO = np.zeros(1)
 Parts = dict[str, tuple[tuple[int, ...], Sequence[int]]]  # shapes and nodes, by name
 
 
@@ -75,11 +76,17 @@ class RowValues:
     def __getattr__(self, name: str) -> Any:  # an attribute that has not been evaluated
         if name not in RowValues.__annotations__:
             raise AttributeError(name)
-        kernel = self._rows.late if name in _LATE else self._rows.early
-        out, failed = kernel.evaluate(*self._point)
-        out[failed] = np.nan
-        vars(self).update(kernel.program.signature.by_block(out[0]))
-        return vars(self)[name]
+        late = name in _LATE
+        kernel = self._rows.late if late else self._rows.early
+        out: np.ndarray | None = vars(self).get(late_or_early := "_late" if late else "_early")
+        if out is None:
+            out, failed = kernel.evaluate(*self._point)
+            out[failed] = np.nan
+            vars(self)[late_or_early] = out = out[0]
+        block = kernel.program.signature.block(name)
+        values: np.ndarray = out[block.start : block.stop].reshape(block.shape)
+        vars(self)[name] = values
+        return values
 
     def is_closed(self, i: int) -> bool:
         """Return whether a gap is zero within its rounding errors."""
@@ -379,7 +386,7 @@ class ContactRows:
     def numbers(self, t: float, x: np.ndarray, r: np.ndarray, p: np.ndarray) -> RowValues:
         """Return the rows at a state, with values of the definition's specifieds and constants."""
         r_order, p_order = self._orders  # missing inputs are zero, or hidden
-        r, p = np.append(r, 0.0)[r_order], np.append(p, 0.0)[p_order]
+        r, p = np.concatenate((r, _ZERO))[r_order], np.concatenate((p, _ZERO))[p_order]
         return RowValues(self, np.array([t]), x[None].copy(), r[None], p)
 
     @cached_property
@@ -395,7 +402,8 @@ class ContactRows:
         """Whether all gaps are open, and the constants have been `checked` before."""
         if self.checked != p.tobytes() or not self._checks_constants:
             return False
-        return bool((gaps.gap > ROUNDING_MARGIN * ROUNDING * gaps.gap_rounding).all())
+        pairs = zip(gaps.gap.tolist(), gaps.gap_rounding.tolist(), strict=True)
+        return all(gap > ROUNDING_MARGIN * ROUNDING * rounding for gap, rounding in pairs)
 
     def owners_of(self, active: Sequence[int]) -> dict[int, int]:
         """Return the contact of each normal row among the active rows, in their order."""
@@ -422,10 +430,10 @@ def by_name(parts: Parts, values: np.ndarray) -> dict[str, np.ndarray]:
     return {name: array.reshape(*shape, *values.shape[1:]) for (name, (shape, _)), array in arrays}
 
 
-def _indices(inputs: Sequence[AnySymbol], symbols: Sequence[AnySymbol]) -> list[int]:
+def _indices(inputs: Sequence[AnySymbol], symbols: Sequence[AnySymbol]) -> np.ndarray:
     """Return the index of each symbol among the inputs; -1 if it is missing."""
     index = {symbol: k for k, symbol in enumerate(inputs)}
-    return [index.get(symbol, -1) for symbol in symbols]
+    return np.array([index.get(symbol, -1) for symbol in symbols], dtype=int)
 
 
 def _check_direction(

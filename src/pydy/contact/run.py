@@ -109,8 +109,6 @@ class ContactRun:
         # Transitions found at the event of another contact; recorded if the new modes agree.
         self.pending_events: dict[int, str] = {}
         self.gap_rounding = np.zeros(len(self.contacts))  # largest rounding bounds so far
-        values = zip(problem.definition.constants, problem.p.tolist(), strict=True)
-        self._numbers_of: dict[AnySymbol, float] = dict(values)
 
     # -- numbers ----------------------------------------------------------------------------------
 
@@ -136,7 +134,7 @@ class ContactRun:
     def values(self, t: float, x: np.ndarray) -> dict[AnySymbol, float]:
         """Return the values of states, constants, specifieds and time, by symbol."""
         definition = self.problem.definition
-        values = {**self._numbers_of, definition.equations.time: t}
+        values = {**self.problem.constants, definition.equations.time: t}
         values.update(zip(definition.states, x.tolist(), strict=True))
         if definition.specifieds:
             r = evaluate_specifieds(self.problem, np.array([t]), x[None])[0]
@@ -441,19 +439,19 @@ class ContactRun:
         events = [*events, *self.user_events]
         kinds = [("turns", i) if kind == "closes" and i in state.separating else (kind, i)
                  for kind, i in kinds]  # fmt: skip
-        later = self.times > state.t
-        self.states[self.times == state.t] = state.x
-        if self.transitions is None and not later.any():
+        now, later = self.times.searchsorted(state.t), self.times.searchsorted(state.t, "right")
+        self.states[now:later] = state.x
+        if self.transitions is None and later == len(self.times):
             return True, []
         problem = Problem(
             model.definition,
             model,
             # Assumptions are checked along the complete motion.
             Settings(
-                {**self._numbers_of, **self.references(p, state, solution)},
+                {**self.problem.constants, **self.references(p, state, solution)},
                 self.problem.settings.specifieds,
                 dict(zip(self.problem.definition.states, state.x.tolist(), strict=True)),
-                np.concatenate([[state.t], self.times[later]]),
+                self.times[later - 1 :] if later > now else np.append(state.t, self.times[later:]),
                 already_warned=self.problem.settings.already_warned,
             ),
         )
@@ -471,7 +469,7 @@ class ContactRun:
             slides = any(solution.modes[i] in SLIDES for i in state.at_rest)
             rates = problem.at(np.array([state.t]), state.x[None]).rates()[0]
             start = self.transitions.begin_mode(rates, slides)
-            if not later.any():
+            if later == len(self.times):
                 self.transitions.store_instant(state.t, start, self.records)
                 return True, []
         try:
@@ -481,7 +479,7 @@ class ContactRun:
                 motion = simulate(problem, problem.settings.times, solver=solver, **options)
         except (IntegrationError, IntegrationInterrupted, MemoryError) as error:
             states = getattr(error, "states", np.empty((0, self.n)))[1:, : self.n]
-            self.states[np.flatnonzero(later)[: len(states)]] = states
+            self.states[later : later + len(states)] = states
             if isinstance(error, MemoryError):
                 raise
             last = error.state[: self.n]
@@ -553,10 +551,12 @@ class ContactRun:
         rounding of the speed, or, at a sliding onset, a fraction of what the solver resolves. The
         onset ends at a fraction of the speed that the contact would gain without friction.
         """
-        bias = np.zeros(len(self.rows.speeds)) if self.bias is None else self.bias
-        values: dict[AnySymbol, float] = dict(zip(self.rows.biases, bias.tolist(), strict=True))
-        eps, tiny = float(np.finfo(float).eps), float(np.finfo(float).tiny)
+        bias = [0.0] * len(self.rows.speeds) if self.bias is None else self.bias.tolist()
+        values: dict[AnySymbol, float] = dict(zip(self.rows.biases, bias, strict=True))
         values.update(dict.fromkeys(self.rows.speed_bounds, 0.0))
+        if not (state.closed or state.separating or self.rows.references):
+            return values
+        eps, tiny = float(np.finfo(float).eps), float(np.finfo(float).tiny)
         for i in state.separating:  # bounds on rounding of their speeds
             rounding = eps * float(p.speed_rounding[self.rows.normal[i]])
             values[self.rows.speed_bounds[i]] = max(rounding, tiny)
@@ -615,8 +615,10 @@ class ContactRun:
         acting = [r for r in at_end if r.index < count and kinds[r.index][0] != "nears"]
         reported = {kinds[r.index] for r in acting}
         last = at_end[-1].before if stopped else None
-        index = mode.output_index
-        if broken := missed_transitions(self, motion, index, state.at_rest, end, last, reported):
+        broken, outputs = missed_transitions(
+            self, motion, mode.output_index, state.at_rest, end, last, reported
+        )
+        if broken:
             return False, broken
         if self.transitions is not None:
             self.transitions.store_segment(motion, end, self.records)
@@ -628,12 +630,11 @@ class ContactRun:
             if record.index >= count and not repeated and (record.time > state.t or first):
                 user_index = record.index + len(self.contacts) - count
                 self.records.append(replace(record, index=user_index))
-        rows = (self.times > state.t) & (self.times <= end)
-        self.states[rows] = motion.states[1 : 1 + int(rows.sum())]
-        (segment,) = motion.segments
-        self.segments.append(
-            replace(segment, start=state.t, end=end, modes=mode.modes, columns=mode.columns)
-        )
+        first, following = (self.times.searchsorted(t, "right") for t in (state.t, end))
+        self.states[first:following] = motion.states[1 : 1 + following - first]
+        (s,) = motion.segments
+        of_mode = mode.modes, s.problem, mode.columns
+        self.segments.append(Segment(state.t, end, *of_mode, s.dense, s.augmented, outputs))
         if not stopped:
             state.t, state.x = end, motion.states[-1, : self.n].copy()
             return True, []
@@ -774,7 +775,8 @@ class ContactRun:
 
     def result(self, refusal: str = "") -> Motion:
         """Return the segments as one motion; a `refusal` says why it cannot be continued."""
-        times, states = self.times[self.reached], self.states[self.reached]
+        rows: Any = slice(None) if self.reached.all() else self.reached
+        times, states = self.times[rows].copy(), self.states[rows]
         last, transitions = self.segments[-1].end, self.transitions
         names, columns = [c.name for c in self.contacts], self.compiled.trajectory_columns
         if transitions is not None and not refusal:

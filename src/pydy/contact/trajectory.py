@@ -226,6 +226,15 @@ class ContactTrajectory(Trajectory):
         return work[np.searchsorted(nodes, ends)]
 
 
+def _outputs(motion: Motion, model: SegmentedModel) -> np.ndarray:
+    """Return the outputs at the times of a motion."""
+    whole = motion.segments[0]
+    if whole.outputs is not None and len(motion.segments) == 1:
+        outputs: np.ndarray = whole.outputs[:, whole.columns]
+        return outputs
+    return model.outputs(motion.times, motion.states)
+
+
 def contact_trajectory(
     columns: Columns,
     names: Sequence[str],
@@ -252,7 +261,7 @@ def contact_trajectory(
         times,
         states,
         columns,
-        outputs=model.outputs(times, states),
+        outputs=_outputs(motion, model),
         specifieds=model.specifieds(times, states),
         constants=problem.constants,
         events=motion.events,

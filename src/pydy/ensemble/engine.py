@@ -122,9 +122,14 @@ class Ensemble:
                 pending.remove(block)
 
         try:
-            if not model.in_lanes and share > number and self._is_brief(pending[0], compute_block):
-                pending[:] = self._blocks(min(SMALLEST_BLOCK, share))
-            self._on_threads(tuple(pending), compute_block)
+            with progress_of(self.progress, " samples", self.samples.size) as report:
+                if not model.in_lanes and share > number:
+                    first = pending[0]
+                    if self._is_brief(first, compute_block):  # it is computed once more
+                        pending[:] = self._blocks(min(SMALLEST_BLOCK, share))
+                    else:
+                        report(_size(first))
+                self._on_threads(tuple(pending), compute_block, report)
         except (KeyboardInterrupt, MemoryError) as error:
             if not results:
                 raise
@@ -182,17 +187,18 @@ class Ensemble:
         self,
         blocks: Sequence[Block],
         do: Callable[[Block, Callable[[], bool]], None],
+        report: Callable[[int], None],
     ) -> None:
-        """Call ``do(block, stop)`` for each block; calls return soon after ``stop()`` is true."""
-        stop, total = Event(), sum(map(_size, blocks))
+        """Call ``do(block, stop)`` for each block; calls return soon after ``stop()`` is true.
+
+        The numbers of samples that are computed are passed to `report`.
+        """
+        stop = Event()
         workers = _startable(min(self._threads(), len(blocks)))
         most = max(1, 2 * workers)
         todo = iter(blocks)
         running: dict[Future[None], Block] = {}
-        with (
-            progress_of(self.progress, " samples", total) as report,
-            ThreadPoolExecutor(workers, "ensemble") if workers else _SerialExecutor() as pool,
-        ):
+        with ThreadPoolExecutor(workers, "ensemble") if workers else _SerialExecutor() as pool:
             try:
                 while True:
                     while len(running) < most and (block := next(todo, None)) is not None:
@@ -211,32 +217,47 @@ class Ensemble:
     # -- lazily -------------------------------------------------------------------------------
 
     def lazy(self) -> Dataset:
-        """Return a Dataset of Dask arrays with a task for each block."""
-        blocks = list(self.samples.blocks(self.sizes))
+        """Return a Dataset of Dask arrays.
+
+        A block is one task, and each variable has one more, which takes it from the results of the
+        block: where that is reduced, Dask makes it a part of the reduction.
+        """
         dask = require("dask", "ensemble", "`chunks`")
         array = require("dask.array", "ensemble", "`chunks`")
+        from dask.highlevelgraph import HighLevelGraph
+
         work = dask.delayed(self.work, traverse=False)
-        example = self._example()
+        example, run = self._example(), uuid4().hex
         forms = self._forms(example)
-        tasks: dict[tuple[int, ...], tuple[Any, Block]] = {}
-        for position, block in blocks:
+        computed, first = f"block-{run}", len(self.samples.dims)
+        tasks: dict[Any, Any] = {}
+        positions: list[tuple[int, ...]] = []
+        for position, block in self.samples.blocks(self.sizes):
             # Bound to the function: as arguments, Dask would take all their arrays and names apart.
             compute = partial(_compute, samples=self._sent(block), forms=forms)
-            tasks[position] = dask.delayed(compute, pure=False)(work), block
-        numbers = [
-            -(-length // size) for length, size in zip(self.samples.shape, self.sizes, strict=True)
+            tasks[(computed, *position)] = (compute, work.key)
+            positions.append(position)
+        graph = HighLevelGraph.from_collections(computed, tasks, dependencies=[work])
+        layers, dependencies = dict(graph.layers), dict(graph.dependencies)
+        chunks = [
+            tuple(min(size, length - start) for start in range(0, length, size))
+            for length, size in zip(self.samples.shape, self.sizes, strict=True)
         ]
-
-        def gather(name: str, v: LabelledArray, position: tuple[int, ...] = ()) -> Any:
-            if len(position) == len(numbers):
-                task, block = tasks[position]
-                shape = (*(s.stop - s.start for s in block), *v.values.shape[len(block) :])
-                return array.from_delayed(task[name], shape, v.values.dtype)
-            axis = len(position)
-            parts = [gather(name, v, (*position, k)) for k in range(numbers[axis])]
-            return parts[0] if len(parts) == 1 else array.concatenate(parts, axis=axis)
-
-        variables = {n: LabelledArray(v.dims, gather(n, v), v.attrs) for n, v in example.items()}
+        keys = {}
+        for name in example:
+            keys[name] = f"{name}-of-{computed}"
+            rest = (0,) * (example[name].values.ndim - first)
+            layers[keys[name]] = {
+                (keys[name], *position, *rest): (_variable, (computed, *position), name)
+                for position in positions
+            }
+            dependencies[keys[name]] = {computed}
+        graph = HighLevelGraph(layers, dependencies)
+        variables = {}
+        for name, v in example.items():
+            sizes = (*chunks, *((size,) for size in v.values.shape[first:]))
+            values = array.Array(graph, keys[name], sizes, dtype=v.values.dtype)
+            variables[name] = LabelledArray(v.dims, values, v.attrs)
         return self._dataset(variables)
 
     def _sent(self, block: Block) -> Samples:
@@ -280,12 +301,14 @@ class Ensemble:
         pending = stores.missing(path, [block for _, block in self.samples.blocks(self.sizes)])
         scheduler = self._scheduler()
         if scheduler is None:
-            self._on_threads(
-                pending,
-                lambda block, stop: stores.write(
-                    path, block, self.work(self.samples.in_block(block), stop)
-                ),
-            )
+            with progress_of(self.progress, " samples", sum(map(_size, pending))) as report:
+                self._on_threads(
+                    pending,
+                    lambda block, stop: stores.write(
+                        path, block, self.work(self.samples.in_block(block), stop)
+                    ),
+                    report,
+                )
         elif pending:
             dask = require("dask", "ensemble", "`store`")
             work = dask.delayed(self.work, traverse=False)
@@ -370,6 +393,11 @@ def _compute(work: Work, samples: Samples, forms: dict[str, ArrayForm]) -> dict[
     results = work(samples)
     check_forms(results, forms, tuple(samples.dims))
     return {name: v.values for name, v in results.items()}
+
+
+def _variable(results: Mapping[str, np.ndarray], name: str) -> np.ndarray:
+    """Return a variable of a block that was computed."""
+    return results[name]
 
 
 def _compute_and_write(work: Work, samples: Samples, path: str, block: Block, run: str) -> None:

@@ -71,7 +71,7 @@ def integrate_ensemble(
     resume: bool | str = False,
     workers: int | None = None,
     progress: bool = False,
-    units: Mapping[SymbolOrName, str] | None = None,
+    units: Mapping[SymbolOrName, str | tuple[str, float]] | None = None,
     options: dict[str, object],
 ) -> Dataset:
     """Integrate a Problem with many different numbers; see `System.integrate_ensemble`.
@@ -130,8 +130,6 @@ def integrate_ensemble(
         derivatives = ensemble_sensitivities(
             at(times[:1], problem.x[None]), initial, compiled, controlled
         )
-        if "events" in compiled:  # without SymPy expressions, for the workers
-            compiled = {**compiled, "events": replace(compiled["events"], sources=())}
     read = ready.read
     if read is None or derivatives is not None:
         read = _read(definition, solver, compiled)
@@ -230,6 +228,8 @@ def _read(definition: Definition, solver: Solver, options: Mapping[str, Any]) ->
     numbers = {k: v for k, v in options.items() if k not in ("events", "constraints")}
     read = vars(read_options(solver.name, solver.adaptive, numbers))
     compiled = {k: v for k, v in options.items() if k not in numbers}
+    if "events" in compiled:  # without SymPy expressions, for the workers
+        compiled["events"] = replace(compiled["events"], sources=())
     result = Options(**{**read, **compiled, "full_output": True})
     n, least = len(definition.states), 10.0 * np.finfo(float).eps
     for name in ("rtol", "atol"):

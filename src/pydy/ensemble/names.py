@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING
 
 from pydy._assembly import Definition
-from pydy._checks import SymbolIndex, check_mapping, refuse_twice, text
+from pydy._checks import SymbolIndex, check_mapping, refuse_twice, unit_of_unconverted
 from pydy._dataset import SENSITIVITY
 from pydy._names import latex_of, name_of, some, unique_names
 from pydy._problem import Problem
@@ -77,7 +77,9 @@ class ResultNames:
         symbol = self._variables.meaning(key, "reduce")
         return self._name_of[symbol] if symbol in self._name_of else name_of(key)
 
-    def described(self, units: Mapping[SymbolOrName, str]) -> dict[str, dict[str, str]]:
+    def described(
+        self, units: Mapping[SymbolOrName, str | tuple[str, float]]
+    ) -> dict[str, dict[str, str]]:
         """Return the attributes of variables, including their units."""
         result = {name: dict(attributes) for name, attributes in self.attributes.items()}
         units = check_mapping("units", units)
@@ -89,5 +91,6 @@ class ResultNames:
                     f"`units` has the key `{key}`, which is neither a state nor an output: "
                     f"{some(result)}."
                 )
-            result[name]["units"] = text(unit, f"`units[{key}]`")
+            state = "" if result[name]["role"] == "output" else name
+            result[name]["units"] = unit_of_unconverted(unit, f"units[{key}]", state)
         return result

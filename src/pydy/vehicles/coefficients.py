@@ -140,6 +140,24 @@ def names_of(version: str) -> tuple[str, ...]:
 ALL_NAMES = frozenset(name for version in VERSIONS for name in names_of(version))
 
 
+# Numbers of tire property files that no force depends on: of rims and belts, bottoming, vibration,
+# the contact patch, integration, and ranges. Source: the sections of MF-Tyre 6's files.
+OTHERS_IN_FILES = frozenset(
+    (
+        "WIDTH", "RIM_RADIUS", "RIM_WIDTH", "ASPECT_RATIO", "MASS", "IXX", "IYY", "BELT_MASS",
+        "BELT_IXX", "BELT_IYY", "GRAVITY", "MC_CONTOUR_A", "MC_CONTOUR_B", "Q_V1", "Q_V2",
+        "Q_FCX", "Q_FCY", "Q_CAM", "PFZ1", "BOTTOM_OFFST", "BOTTOM_STIFF", "YAW_STIFFNESS",
+        "FREQ_LONG", "FREQ_LAT", "FREQ_YAW", "FREQ_WINDUP", "DAMP_LONG", "DAMP_LAT", "DAMP_YAW",
+        "DAMP_WINDUP", "DAMP_RESIDUAL", "DAMP_VLOW", "Q_BVX", "Q_BVT", "Q_RA1", "Q_RA2",
+        "Q_RB1", "Q_RB2", "ELLIPS_SHIFT", "ELLIPS_LENGTH", "ELLIPS_HEIGHT", "ELLIPS_ORDER",
+        "ELLIPS_MAX_STEP", "ELLIPS_NWIDTH", "ELLIPS_NLENGTH", "ROAD_INCREMENT",
+        "ROAD_DIRECTION", "HMAX_LOCAL", "TIME_SWITCH_INTEG", "USER_SUB_ID", "N_TIRE_STATES",
+        "PRESMIN", "PRESMAX", "FZMIN", "FZMAX", "KPUMIN", "KPUMAX", "ALPMIN", "ALPMAX",
+        "CAMMIN", "CAMMAX",
+    )
+)  # fmt: skip
+
+
 def default(name: str) -> float:
     """Return the value of a coefficient that is missing."""
     scaling = name in _SCALING or any(name in names for names in _SCALING_OF.values())

@@ -167,7 +167,8 @@ def lane_change(
     ----------
     system : System
         A car, such as `single_track` returns. Its initial speed is that of the test, and specifieds
-        other than the steering angle keep their values. It is not changed.
+        other than the steering angle keep their values. It is not changed. Cones that a trailer
+        would touch are not counted.
     width : float
         Width of the car (m) without mirrors, which decides how wide the lanes are.
     track : {'ISO 3888-1', 'ISO 3888-2'}, optional

@@ -10,9 +10,9 @@ from pydy._checks import choice, number, positive
 from pydy._errors import warn_user
 from pydy._names import nearest, some
 from pydy.vehicles.algebra import checked_quantity, is_symbolic
-from pydy.vehicles.coefficients import ALL_NAMES, DEFAULTS, VERSIONS
+from pydy.vehicles.coefficients import ALL_NAMES, DEFAULTS, OTHERS_IN_FILES, VERSIONS
 from pydy.vehicles.equations import FORMS, FormulaVariant
-from pydy.vehicles.tir import OTHER_FITTYP, TireFile
+from pydy.vehicles.tir import OTHER_FITTYP, SETTINGS, TireFile
 
 # What each use mode computes: longitudinal, lateral, combined.
 MODES = {0: (), 1: ("x",), 2: ("y",), 3: ("x", "y"), 4: ("x", "y", "combined")}
@@ -180,10 +180,10 @@ def use_mode_of(use_mode: int | None, file: TireFile | None) -> int:
 def check_names(coefficients: Mapping[str, object]) -> None:
     """Refuse names that no version of the Magic Formula has."""
     for name in coefficients:
-        if name not in ALL_NAMES:
+        if name not in ALL_NAMES | OTHERS_IN_FILES | {*SETTINGS}:
             raise ValueError(
                 f"`coefficients` has the key {name!r}, which no version of the Magic Formula has. "
-                f"{nearest(name, list(ALL_NAMES), or_all=False)}".rstrip()
+                f"{nearest(name, list(ALL_NAMES), or_all=False) or 'Leave it out.'}"
             )
 
 

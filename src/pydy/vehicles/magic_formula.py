@@ -51,7 +51,7 @@ from pydy.vehicles.moments import (
     overturning_moment,
     rolling_resistance,
 )
-from pydy.vehicles.tir import TireFile
+from pydy.vehicles.tir import TireFile, file_of
 
 
 class MagicFormula(TireEquations):
@@ -72,8 +72,9 @@ class MagicFormula(TireEquations):
     Parameters
     ----------
     coefficients : TireFile or mapping of str to number or expression
-        What `read_tir` returns, or coefficients by the names that such files use. A scaling factor
-        (L…) that is missing is 1, PKY4 is 2, any other is 0. Symbols become constants of a System.
+        What `read_tir` returns, or coefficients in SI units by the names that such files use; a
+        dictionary may say FITTYP, TYRESIDE and USE_MODE, too. A scaling factor (L…) that is missing
+        is 1, PKY4 is 2, any other is 0. Symbols become constants of a System.
     version : {'5.2', '6.1', '6.2', 'PAC2002'}, optional
         That of the file by default, otherwise ``'6.1'``.
     equations : {'pacejka', 'besselink'}, optional
@@ -182,7 +183,9 @@ class MagicFormula(TireEquations):
         relaxation_sign: float | None = None,
     ) -> None:
         file = coefficients if isinstance(coefficients, TireFile) else None
+        is_file = file is not None
         given = check_mapping("coefficients", file.coefficients if file else coefficients)
+        file = file or file_of(given)
         self.version = version_of(version, file)
         self.equations, form = form_of(
             self.version, equations, slip, friction_saturation, relaxation_sign
@@ -196,7 +199,7 @@ class MagicFormula(TireEquations):
         names = names_of(self.version)
         spelled = {ALIASES.get(str(name), str(name)): value for name, value in given.items()}
         self.missing = tuple(name for name in names if name not in spelled)
-        if file is None:  # a file has other numbers, too: of vertical stiffness, of ranges
+        if not is_file:  # a file has other numbers, too: of other tire models, of its author
             check_names(spelled)
         self.unused = tuple(name for name in spelled if name in ALL_NAMES and name not in names)
         if version is None and file is None:

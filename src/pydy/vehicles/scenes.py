@@ -26,6 +26,7 @@ _CLEARANCE, _SILL, _WAIST, _ROOF = 0.18, 0.46, 0.85, 1.4  # heights
 _TRACK, _FLOOR, _FLOOR_WIDTH, _CABIN, _CABIN_WIDTH, _CABIN_REAR = 0.88, 0.95, 0.7, 0.5, 0.88, 0.04
 _CONE_HEIGHT, _CONE_RADIUS = 0.5, 0.14
 _PAINT, _GLASS, _RUBBER, _CONE, _TOUCHED = "#3f7fc4", "#5a6270", "#33373f", "#e8742c", "#c9433e"
+_TRAILER, _TRAILER_ROOF, _TRAILER_LENGTH, _DRAWBAR = "#b9bfc9", 1.9, 1.3, 0.05
 
 
 def car_scene(
@@ -43,7 +44,8 @@ def car_scene(
 
     Wheels are where the car has its axles; those in front turn with the steering angle. They do not
     spin: the models have no angles of the wheels. A car with two axles and no track widths gets
-    wheels at its sides.
+    wheels at its sides. A trailer of `car_trailer` has a box about its axle, 1.3 times as long as
+    the axle is behind the hitch, and as wide as the car.
 
     Parameters
     ----------
@@ -78,7 +80,7 @@ def car_scene(
     37
     """
     # Pictures are loaded where they are made.
-    from pydy.viz import Box, Cone, Cylinder, Visual
+    from pydy.viz import Box, Cone, Cylinder, Line, Visual
 
     instance(system, System, "`system`", "a System, such as single_track returns")
     instance(car, SingleTrackCar, "`car`", "a SingleTrackCar, such as one of CARS")
@@ -121,6 +123,25 @@ def car_scene(
         for side, word in ((1, "left"), (-1, "right")):
             centre = at(f"{axle} {word}", forward, side * track / 2, radius)
             visuals.append(Visual(wheel, frame, centre, name=f"{axle} wheels"))
+    bodies = getattr(system.eom_method, "bodies", None) or ()
+    lengths = {str(symbol): symbol for symbol in system.constants_symbols}
+    # A model of one's own may have a body of this name, and no such constants.
+    if any(body.name == "trailer" for body in bodies) and {"c", "l"} <= lengths.keys():
+        c, l = lengths["c"], lengths["l"]
+        turned = B.orientnew("trailer", "Axis", (coordinate_of(system, "phi", 3), B.z))
+        hitch = G.locatenew("hitch", -c * B.x + _SILL * B.z)
+        axle = hitch.locatenew("trailer axle", -l * turned.x)
+        height = _TRAILER_ROOF - _SILL
+        box = Box(_TRAILER_LENGTH * l, width, height, colour=_TRAILER)
+        visuals.append(
+            Visual(box, turned, axle.locatenew("trailer", height / 2 * B.z), name="trailer")
+        )
+        bar = Line([hitch, axle], radius=_DRAWBAR, colour=_RUBBER)
+        visuals.append(Visual(bar, name="trailer"))
+        for side, word in ((1, "left"), (-1, "right")):
+            place = side * tracks[1] / 2 * turned.y + (radius - _SILL) * B.z
+            centre = axle.locatenew(f"trailer {word}", place)
+            visuals.append(Visual(wheel, turned, centre, name="trailer wheels"))
     if change is not None:
         upright, fallen = (
             Cone(_CONE_HEIGHT, _CONE_RADIUS, "z", colour=colour) for colour in (_CONE, _TOUCHED)

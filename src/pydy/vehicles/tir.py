@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from os import PathLike
 from typing import Any
 
 import numpy as np
 
+from pydy._checks import number
 from pydy._errors import TireFileError, warn_user
 from pydy._files import path_of
 from pydy._names import some
@@ -30,6 +31,8 @@ _OF_FORMAT = {
     "MF62": "6.2",
 }
 _OF_FITTYP = {5: "5.2", 6: "5.2", 21: "5.2", 60: "6.1", 61: "6.1", 62: "6.2"}
+# What a file says of itself, beside its coefficients.
+SETTINGS = ("PROPERTY_FILE_FORMAT", "FITTYP", "TYRESIDE", "USE_MODE")
 # Tires of motorcycles: other equations of the side force and of camber, partly by the same names.
 OTHER_FITTYP = {51.0: ", MF-MCTyre 1.0", 52.0: ", MF-MCTyre 1.1"}
 # Formats without a FITTYP that have other equations under names that are partly the same.
@@ -71,6 +74,31 @@ class TireFile:
     def __repr__(self) -> str:
         kind = f"Magic Formula {self.version}" if self.version else "another model"
         return f"<TireFile {self.path}: {kind}, {len(self.coefficients)} numbers>"
+
+
+def file_of(coefficients: Mapping[str, Any]) -> TireFile | None:
+    """Return what a dictionary with settings of files says, as if it were read; else None."""
+    if not any(name in coefficients for name in SETTINGS):
+        return None
+    words = ("PROPERTY_FILE_FORMAT", "TYRESIDE")
+    numbers = {name: value for name, value in coefficients.items() if name not in words}
+    for name in ("FITTYP", "USE_MODE"):
+        if name in numbers:
+            numbers[name] = number(numbers[name], f"`{name}`", finite=True)
+    side = str(coefficients.get("TYRESIDE", "")).lower()
+    version = _version(dict(coefficients), numbers)
+    if not {"FITTYP", "PROPERTY_FILE_FORMAT"} & coefficients.keys():
+        version = version or "6.1"
+    mode = numbers.get("USE_MODE")
+    return TireFile(
+        path="`coefficients`",
+        version=version,
+        side=side if side in ("left", "right") else None,
+        use_mode=None if mode is None else int(mode),
+        coefficients=numbers,
+        sections={},
+        tables={},
+    )
 
 
 def read_tir(path: str | PathLike[str]) -> TireFile:
@@ -133,8 +161,8 @@ def read_tir(path: str | PathLike[str]) -> TireFile:
     except UnicodeDecodeError:
         content = data.decode("latin-1")
     reader = _Reader(str(place))
-    for number, line in enumerate(content.splitlines(), 1):
-        reader.read_line(number, line)
+    for k, line in enumerate(content.splitlines(), 1):
+        reader.read_line(k, line)
     return reader.finished()
 
 

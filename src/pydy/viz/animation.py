@@ -36,7 +36,8 @@ class ViewSettings:
     view: np.ndarray | None = None  # (3,): from the scene to the camera
     title: str = ""
     axes: float | None = None  # length of the axes at the origin
-    units: Mapping[str, str] = field(default_factory=dict)  # mapping of str to str: of the series
+    # units of the series, and factors that their values are multiplied by
+    units: Mapping[str, tuple[str, float]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, eq=False)

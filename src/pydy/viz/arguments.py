@@ -23,8 +23,8 @@ from pydy._checks import (
     real_array,
     refuse_twice,
     shown,
-    text,
     typed,
+    unit_and_factor,
 )
 from pydy._interpolation import detailed, filled
 from pydy._mechanics import find_symbols, sort_symbols
@@ -234,15 +234,26 @@ def _symbols_of_scene(
     return {s for s in (*find_symbols(expressions), *symbols_of(visuals, series)) if s.is_Symbol}
 
 
-def units_of(units: object) -> dict[str, str]:
-    """Return units by the label of a series."""
+def units_of(units: object) -> dict[str, object]:
+    """Return units, and pairs of these and factors, by the label of a series."""
     units_by_key = check_mapping("units", units)
     labels = [str(key).removesuffix("(t)") for key in units_by_key]
     refuse_twice(labels, "units")
-    return {
-        label: text(unit, f"`units[{key}]`")
-        for label, (key, unit) in zip(labels, units_by_key.items(), strict=True)
-    }
+    for key, unit in units_by_key.items():
+        unit_and_factor(unit, f"units[{key}]")
+    return dict(zip(labels, units_by_key.values(), strict=True))
+
+
+def check_units(
+    units: Mapping[str, object],
+    series: Mapping[str, ExpressionOrName | float],
+    states: Iterable[SymbolOrName],
+) -> None:
+    """Refuse degrees, without a factor, of a series that is a state."""
+    names = {name_of(state) for state in states}
+    for label, unit in units.items():
+        state = name_of(series.get(label, ""))
+        unit_and_factor(unit, f"units[{label}]", state if state in names else "")
 
 
 def events_of(trajectory: object, times: np.ndarray) -> tuple[tuple[float, str], ...]:

@@ -253,7 +253,8 @@ class LivePage:
         count = len(system.constants)
         varied = [r["place"] for r in self.sliders if r["group"] == "p" and r["place"] < count]
         self.witness = Witness(geometry, pose_program(geometry, self.names), generic, varied)
-        self.plotted, self.formulas = _series(series, animation, system)
+        plotted, self.formulas = _series(series, animation, system)
+        self.plotted: list[list[str | int]] = plotted
         self.start, self.starts = _start(system, self.user_sliders)
         set_states = {row["place"] for row in self.sliders if row["group"] == "x"} | set(
             self.starts

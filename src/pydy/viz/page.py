@@ -143,6 +143,9 @@ def embedded(html: str) -> str:
     )
 
 
+_NO_UNIT = "", 1.0
+
+
 def page_data(
     animation: Animation, settings: ViewSettings, live: LivePage | None = None
 ) -> dict[str, Any]:
@@ -158,19 +161,24 @@ def page_data(
     live_data: dict[str, object] = {}
     if live is not None:
         code, data = live.code(tracks.anchors)
+        factors = [settings.units.get(label, _NO_UNIT)[1] for label in animation.series]
+        data["series"] = [
+            [*source, factor] for source, factor in zip(live.plotted, factors, strict=True)
+        ]
         live_data["live"] = {"code": code, **data, "buckets": BUCKETS}
     clocks = _Clocks()
     series = [
         {
             "label": label,
             "parts": label_parts(label),
-            "unit": settings.units.get(label, ""),
+            "unit": unit_name,
             "colour": CYCLE[(k + 1) % len(CYCLE)],
             "clock": clocks.find(drawn.times),
             "values": _packed(drawn.values, np.float64),
         }
         for k, (label, curve) in enumerate(animation.series.items())
-        for drawn in [thinned(curve)]
+        for unit_name, factor in [settings.units.get(label, _NO_UNIT)]
+        for drawn in [thinned(curve._replace(values=factor * curve.values))]
     ]
     return {
         **live_data,

@@ -12,7 +12,19 @@ from typing import TYPE_CHECKING, Any, Literal, NoReturn, Self, TypeAlias
 import numpy as np
 from sympy.physics.vector import Point, ReferenceFrame
 
-from pydy._checks import SymbolDict, choice, flag, instance, listed, number, shown, text, vector
+from pydy._checks import (
+    SymbolDict,
+    choice,
+    flag,
+    instance,
+    listed,
+    number,
+    shown,
+    text,
+    unit_and_factor,
+    vector,
+)
+from pydy._dataset import STATES
 from pydy._files import file_of, write_files
 from pydy._interpolation import evenly
 from pydy._names import nearest
@@ -22,6 +34,7 @@ from pydy.viz.animation import Animation, Item, ViewSettings, animate
 from pydy.viz.arguments import (
     as_visual,
     check_range,
+    check_units,
     curves_of,
     events_of,
     filmed,
@@ -212,8 +225,9 @@ class Scene:
         Quantities to plot over time below the animation. Quantities in the trajectory, such as
         outputs, are looked up by symbol or name; others are evaluated.
     title : str, optional
-    units : mapping of str or symbols to str, optional
-        Units of the series, shown with their labels.
+    units : mapping of str or symbols to str or (str, float), optional
+        Units of the series, shown with their labels. With a factor, as in ``{'q': ('deg',
+        180/np.pi)}``, the values are multiplied by it.
     system : System, optional
         Provides the motion if the scene is displayed without a call of `animate`.
     cameras : sequence of PerspectiveCamera, optional
@@ -260,7 +274,7 @@ class Scene:
         view: Vector | ArrayLike | None = None,
         series: Mapping[str, ExpressionOrName | float] | Iterable[ExpressionOrName | float] = (),
         title: str = "",
-        units: BySymbol[str] | None = None,
+        units: BySymbol[str | tuple[str, float]] | None = None,
         model: SceneModel | None = None,
         system: Any = None,
         cameras: Iterable[PerspectiveCamera] = (),
@@ -283,13 +297,14 @@ class Scene:
         self.frames_per_second = 30.0
         self.series = series_of(series)
         self._model = model
+        self._units = units_of(units)
         self._settings = ViewSettings(
             up_axis=unit_vector(up, reference_frame, "up"),
             ground=ground_height(ground),
             follow=None if follow is None else flag(follow, "`follow`"),
             view=None if view is None else unit_vector(view, reference_frame, "view"),
             title=text(title, "`title`"),
-            units=units_of(units),
+            units={k: unit_and_factor(unit, "units") for k, unit in self._units.items()},
         )
         self._animation: Animation | None = None
         self._last_call: Any = (
@@ -392,6 +407,10 @@ class Scene:
         *_, compare, fps, speed = options
         motion = forward(self._motion_of(film, states, options[:3]))
         rate, step = playback(fps, speed, float(motion.times[-1] - motion.times[0]))
+        names_of = getattr(film, "names_of", None)
+        check_units(
+            self._units, self.series, (options[0] or ()) if names_of is None else names_of(*STATES)
+        )
         scene = (self.reference_frame, self.origin, self.visuals)
         film_motion = motion.at_rows(sampled(motion.times, step))
         animation = animate(*scene, film_motion)

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
+from inspect import signature
 from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar, Self, TypeAlias
@@ -58,6 +59,20 @@ class _Spelling(type):
                     options[field_name] = options.pop(name)
             if options.pop("material", None) is not None:
                 cls.ignore_material()
+            names = [f.name for f in fields(cls) if f.init]
+            unknown = [name for name in options if name not in names]
+            try:
+                if not unknown:
+                    signature(cls.__init__).bind(None, *args, **options)
+            except TypeError as error:  # Python names the class that has the `__init__`
+                raise TypeError(
+                    f"{cls.__name__}: {error}. Its arguments are {', '.join(names)}."
+                ) from None
+            if unknown:
+                raise TypeError(
+                    f"{cls.__name__} has no argument `{unknown[0]}`; its arguments are "
+                    f"{', '.join(names)}. {nearest(unknown[0], names, or_all=False)}".rstrip()
+                )
             return super().__call__(*args, **options)
 
 

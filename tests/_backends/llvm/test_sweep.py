@@ -116,6 +116,35 @@ def test_a_sweep_says_whether_all_results_are_finite(lanes, order, count, value)
     assert kernel.sweep(t, np.array(x, order=order), r, p)[2] is True
 
 
+@pytest.mark.parametrize("specifieds", [0, 1, 2])
+@pytest.mark.parametrize("lanes", [2, 4, 8])
+def test_columns_are_read_where_they_lie_and_seen_to_be_finite_there(
+    lanes, specifieds, monkeypatch
+):
+    # One column of specifieds is rows as well.
+    tape = Tape()
+    total = tape.mul(tape.make("input", "x", 0), tape.make("input", "p", 0))
+    for k in range(specifieds):
+        total = tape.add(total, tape.make("input", "r", k))
+    results = [total, tape.make("sin", tape.make("input", "x", 1))]
+    model = Program.from_tape(tape, (2, specifieds, 1), [("v", (2,), results)])
+    seen, gate = [], gates().sweep
+
+    def watched(*arguments):
+        arguments[-1].fill(np.nan)
+        seen.append((gate(*arguments), np.count_nonzero(~np.isnan(arguments[-1]))))
+        return seen[-1][0]
+
+    monkeypatch.setattr(gates(), "sweep", watched)
+    x, r = np.ones((100, 2), order="F"), np.ones((100, specifieds), order="F")
+    kernel = LLVMBackend(lanes=lanes).compile(model)
+    out = np.empty((100, 2), order="F")
+    kernel.evaluate(np.zeros(100), x, r, np.array([2.0]), out)
+    np.testing.assert_allclose(out[:, 0], 2.0 + specifieds, rtol=1e-15)
+    # Only the constants, and what is computed of them, are in the memory of the sweep.
+    assert seen == [(1, lanes * (1 + kernel.size_of_c))]
+
+
 @pytest.mark.parametrize("lanes", [1, 2, 4, 8])
 def test_rows_that_are_not_contiguous_are_taken_as_they_are(lanes):
     t, x, p = rows(21)

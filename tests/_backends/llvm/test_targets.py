@@ -20,6 +20,7 @@ from pydy._backends.llvm.native import LLVMBackend
 from pydy._backends.llvm.sources import width_of
 from pydy._backends.llvm.targets import TABLE, chosen, registers_for, target
 from pydy._backends.llvm.text import kernel_text
+from pydy._program import Program, Tape
 
 TESTS = Path(__file__).parents[2]
 V3 = {"avx", "avx2", "bmi", "bmi2", "cx16", "f16c", "fma", "lzcnt", "movbe", "popcnt", "sse3"}
@@ -190,6 +191,21 @@ def test_kernels_compute_the_same_bits_even_where_arithmetic_is_not_fused(native
     kernels = bits("generic", folder, "kernels")
     assert kernels.count("\n") == 6
     assert own.startswith(kernels)
+
+
+@pytest.mark.parametrize("angles", [1, 2, 3, 4, 5, 9])
+def test_code_for_one_state_has_no_vectors_that_halve_the_ports_for_scalars(angles):
+    tape = Tape()
+    sines = [tape.make("sin", tape.make("input", "x", k)) for k in range(angles)]
+    program = Program.from_tape(tape, (angles, 0, 0), [("v", (angles,), sines)])
+    widths = {int(w) for w in re.findall(r"fadd <(\d+) x double>", kernel_text(program, 1))}
+    assert widths <= {2, 4}
+    assert bool(widths) == (angles > 1)
+    x = np.linspace(-2.0, 7.0, 16 * angles).reshape(16, angles)
+    arguments = np.zeros(16), x, np.empty((1, 0)), np.empty(0)
+    one, _ = LLVMBackend().compile(program).evaluate(*arguments)
+    eight, _ = LLVMBackend(lanes=8).compile(program).evaluate(*arguments)
+    np.testing.assert_array_equal(one, eight)
 
 
 def test_a_wrong_target_is_told_where_code_is_first_compiled(tmp_path):

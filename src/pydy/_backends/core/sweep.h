@@ -157,6 +157,14 @@ INLINE Bits not_finite(const double *numbers, int64_t items, Bits bits)
     return bits;
 }
 
+INLINE int64_t none(Bits bits)
+{
+    int64_t zero = 1;
+    UNROLLED
+    for (int lane = 0; lane < LANES; lane++) zero &= bits[lane] == 0;
+    return zero;
+}
+
 INLINE void report(int64_t status, uint8_t *failed, int64_t count)
 {
     if (status)
@@ -172,16 +180,18 @@ INLINE int crowded(int64_t next, int64_t columns)
     return columns > 4 * lines;
 }
 
-/* Evaluate columns in place. Columns that NumPy made begin alike: the states' second block, and
-   with it most vectors, begins where a line of the cache does. What is left of the last block
-   overlaps the one before; the first one that fails ends a turn. */
-INLINE void in_place(
+/* Evaluate columns in place, and give whether all results are finite. Columns that NumPy made begin
+   alike: the states' second block, and with it most vectors, begins where a line of the cache
+   does. What is left of the last block overlaps the one before; the first one that fails ends a
+   turn. */
+INLINE int64_t in_place(
     const Words *w, const double *t, const double *x, const double *r, const double *c,
     double *out, uint8_t *failed)
 {
     const int64_t m = w->m, last = m - LANES, gone = (uintptr_t)x >> 3 & (LANES - 1);
     const int64_t r_block = w->r.sample ? LANES : 0;
     int64_t steps[5] = {w->x.item, w->r.sample ? w->r.item : LANES, w->out.item, 1, r_block};
+    Bits bits = {0};
     for (int64_t begin = 0; begin < m;) {
         const int64_t start = least(begin, last);
         if (begin) steps[3] = (m - start) / LANES;
@@ -189,8 +199,11 @@ INLINE void in_place(
         const int64_t both = w->strided(t + start, x + start, specifieds, c, out + start, steps);
         const int64_t end = start + (both >> 32) * LANES;
         report((int32_t)both, failed + end - LANES, LANES);
+        for (int64_t j = 0; j < w->outputs; j++)
+            bits = not_finite(out + j * w->out.item + start, both >> 32, bits);
         begin = begin == 0 && last > 0 ? LANES - gone : end;
     }
+    return none(bits);
 }
 
 int64_t SWEEP(
@@ -226,12 +239,11 @@ int64_t SWEEP(
                 out[i * w->out.sample + j * w->out.item] = outs[j * LANES + i];
         return 0;
     }
-    const int64_t columns = w->x.item != 1 && !out_rows && (alone || w->r.item != 1);
+    /* An array of one column is rows as well. */
+    const int64_t columns = w->x.sample == 1 && w->out.sample == 1 && (alone || w->r.sample == 1);
     const int64_t near = m <= w->in_place || !crowded(w->x.item, n + s + outputs);
-    if (w->strided && columns && near) {
-        in_place(w, t, x, alone ? rs : r, c, out, failed);
-        return 0;
-    }
+    if (w->strided && columns && near)
+        return in_place(w, t, x, alone ? rs : r, c, out, failed);
     const int64_t rows = w->x.item == 1 && out_rows && (alone || w->r.item == 1);
     const int64_t most = rows ? 1 : w->blocks;
     Bits bits = {0};
@@ -259,8 +271,5 @@ int64_t SWEEP(
         }
         if (!out_rows) columns_out(outs, w->out.item, outputs, blocks, out + begin);
     }
-    int finite = 1;
-    UNROLLED
-    for (int lane = 0; lane < LANES; lane++) finite &= bits[lane] == 0;
-    return finite;
+    return none(bits);
 }

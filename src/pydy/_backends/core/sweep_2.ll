@@ -1,4 +1,4 @@
-; sources 2d3c8b6881492393a2bfa47a8c3d1c4a6ad9fae2bb9989d13855d0a2e3191afa
+; sources cb0f84c4965216b1dd93409ced1e93ce4194ea2954af8231d02e36c64fac2be2
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define range(i64 0, 2) i64 @sweep_2(ptr noundef readonly %0, ptr noundef %1, ptr noundef %2, ptr noundef %3, ptr noundef readonly %4, ptr noundef %5, ptr noundef writeonly %6, ptr noundef %7) #0 {
@@ -19,7 +19,7 @@ define range(i64 0, 2) i64 @sweep_2(ptr noundef readonly %0, ptr noundef %1, ptr
   %23 = getelementptr inbounds i8, ptr %0, i64 128
   %24 = getelementptr inbounds i8, ptr %0, i64 136
   %25 = load i64, ptr %24, align 8
-  %26 = icmp eq i64 %25, 1
+  %26 = icmp ne i64 %25, 1
   %27 = ptrtoint ptr %7 to i64
   %28 = add i64 %27, 63
   %29 = and i64 %28, -64
@@ -42,7 +42,7 @@ define range(i64 0, 2) i64 @sweep_2(ptr noundef readonly %0, ptr noundef %1, ptr
   %46 = mul i64 %45, %41
   %47 = getelementptr inbounds i8, ptr %44, i64 %46
   %48 = icmp slt i64 %11, 1
-  br i1 %48, label %598, label %49
+  br i1 %48, label %639, label %49
 
 49:                                               ; preds = %8
   %50 = icmp sgt i64 %32, 0
@@ -129,7 +129,7 @@ define range(i64 0, 2) i64 @sweep_2(ptr noundef readonly %0, ptr noundef %1, ptr
 
 102:                                              ; preds = %99, %95
   %103 = icmp sgt i64 %17, 0
-  br i1 %103, label %137, label %598
+  br i1 %103, label %137, label %639
 
 104:                                              ; preds = %89, %123
   %105 = phi i64 [ 0, %89 ], [ %124, %123 ]
@@ -192,36 +192,38 @@ define range(i64 0, 2) i64 @sweep_2(ptr noundef readonly %0, ptr noundef %1, ptr
   store double %141, ptr %144, align 8
   %145 = add nuw nsw i64 %138, 1
   %146 = icmp eq i64 %145, %17
-  br i1 %146, label %598, label %137, !llvm.loop !11
+  br i1 %146, label %639, label %137, !llvm.loop !11
 
 147:                                              ; preds = %87
   %148 = getelementptr inbounds i8, ptr %0, i64 96
-  %149 = getelementptr inbounds i8, ptr %0, i64 104
-  %150 = load i64, ptr %149, align 8
-  %151 = icmp eq i64 %150, 1
-  %152 = select i1 %151, i1 true, i1 %26
-  %153 = xor i1 %22, true
-  %154 = select i1 %152, i1 true, i1 %153
-  %155 = xor i1 %152, true
-  br i1 %154, label %160, label %156
+  %149 = load i64, ptr %148, align 8
+  %150 = icmp eq i64 %149, 1
+  br i1 %150, label %151, label %158
 
-156:                                              ; preds = %147
-  %157 = getelementptr inbounds i8, ptr %0, i64 120
-  %158 = load i64, ptr %157, align 8
-  %159 = icmp ne i64 %158, 1
-  br label %160
+151:                                              ; preds = %147
+  %152 = load i64, ptr %23, align 8
+  %153 = icmp eq i64 %152, 1
+  %154 = select i1 %153, i1 %22, i1 false
+  br i1 %154, label %155, label %158
 
-160:                                              ; preds = %147, %156
-  %161 = phi i1 [ %155, %147 ], [ %159, %156 ]
-  %162 = getelementptr inbounds i8, ptr %0, i64 80
-  %163 = load i64, ptr %162, align 8
-  %164 = icmp sgt i64 %11, %163
-  br i1 %164, label %165, label %176
+155:                                              ; preds = %151
+  %156 = load i64, ptr %18, align 8
+  %157 = icmp eq i64 %156, 1
+  br label %158
 
-165:                                              ; preds = %160
+158:                                              ; preds = %151, %155, %147
+  %159 = phi i1 [ %153, %151 ], [ false, %147 ], [ %157, %155 ]
+  %160 = getelementptr inbounds i8, ptr %0, i64 80
+  %161 = load i64, ptr %160, align 8
+  %162 = icmp sgt i64 %11, %161
+  br i1 %162, label %163, label %176
+
+163:                                              ; preds = %158
+  %164 = getelementptr inbounds i8, ptr %0, i64 104
+  %165 = load i64, ptr %164, align 8
   %166 = add nsw i64 %15, %13
   %167 = add nsw i64 %166, %17
-  %168 = shl nsw i64 %150, 3
+  %168 = shl nsw i64 %165, 3
   %169 = sub nsw i64 0, %168
   %170 = and i64 %168, %169
   %171 = tail call i64 @llvm.smin.i64(i64 %170, i64 4096)
@@ -231,14 +233,14 @@ define range(i64 0, 2) i64 @sweep_2(ptr noundef readonly %0, ptr noundef %1, ptr
   %175 = icmp sge i64 %174, %167
   br label %176
 
-176:                                              ; preds = %165, %160
-  %177 = phi i1 [ true, %160 ], [ %175, %165 ]
+176:                                              ; preds = %163, %158
+  %177 = phi i1 [ true, %158 ], [ %175, %163 ]
   %178 = getelementptr inbounds i8, ptr %0, i64 16
   %179 = load ptr, ptr %178, align 8
   %180 = icmp ne ptr %179, null
-  %181 = select i1 %180, i1 %161, i1 false
+  %181 = select i1 %180, i1 %159, i1 false
   %182 = select i1 %181, i1 %177, i1 false
-  br i1 %182, label %183, label %245
+  br i1 %182, label %183, label %282
 
 183:                                              ; preds = %176
   %184 = select i1 %22, ptr %3, ptr %44
@@ -250,591 +252,643 @@ define range(i64 0, 2) i64 @sweep_2(ptr noundef readonly %0, ptr noundef %1, ptr
   %190 = load i64, ptr %18, align 8
   %191 = icmp eq i64 %190, 0
   %192 = select i1 %191, i64 0, i64 2
-  store i64 %150, ptr %9, align 16
-  %193 = getelementptr inbounds i8, ptr %9, i64 8
-  br i1 %191, label %197, label %194
+  %193 = getelementptr inbounds i8, ptr %0, i64 104
+  %194 = load i64, ptr %193, align 8
+  store i64 %194, ptr %9, align 16
+  %195 = getelementptr inbounds i8, ptr %9, i64 8
+  br i1 %191, label %199, label %196
 
-194:                                              ; preds = %183
-  %195 = getelementptr inbounds i8, ptr %0, i64 120
-  %196 = load i64, ptr %195, align 8
-  br label %197
+196:                                              ; preds = %183
+  %197 = getelementptr inbounds i8, ptr %0, i64 120
+  %198 = load i64, ptr %197, align 8
+  br label %199
 
-197:                                              ; preds = %194, %183
-  %198 = phi i64 [ %196, %194 ], [ 2, %183 ]
-  store i64 %198, ptr %193, align 8
-  %199 = getelementptr inbounds i8, ptr %9, i64 16
-  %200 = load i64, ptr %24, align 8
-  store i64 %200, ptr %199, align 16
-  %201 = getelementptr inbounds i8, ptr %9, i64 24
-  store i64 1, ptr %201, align 8
-  %202 = getelementptr inbounds i8, ptr %9, i64 32
-  store i64 %192, ptr %202, align 16
-  %203 = getelementptr i8, ptr %6, i64 -2
-  %204 = icmp sgt i64 %185, 0
-  br i1 %204, label %205, label %244
+199:                                              ; preds = %196, %183
+  %200 = phi i64 [ %198, %196 ], [ 2, %183 ]
+  store i64 %200, ptr %195, align 8
+  %201 = getelementptr inbounds i8, ptr %9, i64 16
+  %202 = load i64, ptr %24, align 8
+  store i64 %202, ptr %201, align 16
+  %203 = getelementptr inbounds i8, ptr %9, i64 24
+  store i64 1, ptr %203, align 8
+  %204 = getelementptr inbounds i8, ptr %9, i64 32
+  store i64 %192, ptr %204, align 16
+  %205 = getelementptr i8, ptr %6, i64 -2
+  %206 = icmp sgt i64 %185, 0
+  br i1 %206, label %207, label %275
 
-205:                                              ; preds = %197
-  %206 = icmp sgt i64 %185, 2
-  %207 = add nsw i64 %189, 2
-  br label %208
+207:                                              ; preds = %199
+  %208 = icmp sgt i64 %185, 2
+  %209 = add nsw i64 %189, 2
+  br label %210
 
-208:                                              ; preds = %205, %240
-  %209 = phi i64 [ 0, %205 ], [ %242, %240 ]
-  %210 = call i64 @llvm.smin.i64(i64 %209, i64 %186)
-  %211 = icmp eq i64 %209, 0
-  br i1 %211, label %215, label %212
+210:                                              ; preds = %207, %250
+  %211 = phi <2 x i64> [ zeroinitializer, %207 ], [ %251, %250 ]
+  %212 = phi i64 [ 0, %207 ], [ %253, %250 ]
+  %213 = call i64 @llvm.smin.i64(i64 %212, i64 %186)
+  %214 = icmp eq i64 %212, 0
+  br i1 %214, label %218, label %215
 
-212:                                              ; preds = %208
-  %213 = sub nsw i64 %185, %210
-  %214 = sdiv i64 %213, 2
-  store i64 %214, ptr %201, align 8
-  br label %215
+215:                                              ; preds = %210
+  %216 = sub nsw i64 %185, %213
+  %217 = sdiv i64 %216, 2
+  store i64 %217, ptr %203, align 8
+  br label %218
 
-215:                                              ; preds = %212, %208
-  %216 = load i64, ptr %18, align 8
-  %217 = icmp eq i64 %216, 0
-  %218 = select i1 %217, i64 0, i64 %210
-  %219 = getelementptr inbounds double, ptr %184, i64 %218
-  %220 = load ptr, ptr %178, align 8
-  %221 = getelementptr inbounds double, ptr %1, i64 %210
-  %222 = getelementptr inbounds double, ptr %2, i64 %210
-  %223 = getelementptr inbounds double, ptr %5, i64 %210
-  %224 = call i64 %220(ptr noundef %221, ptr noundef %222, ptr noundef %219, ptr noundef %34, ptr noundef %223, ptr noundef nonnull %9) #4
-  %225 = ashr i64 %224, 31
-  %226 = and i64 %225, -2
-  %227 = add nsw i64 %226, %210
-  %228 = shl i64 %224, 32
-  %229 = ashr exact i64 %228, 32
-  %230 = getelementptr i8, ptr %203, i64 %227
-  %231 = icmp eq i64 %228, 0
-  br i1 %231, label %240, label %232
+218:                                              ; preds = %215, %210
+  %219 = load i64, ptr %18, align 8
+  %220 = icmp eq i64 %219, 0
+  %221 = select i1 %220, i64 0, i64 %213
+  %222 = getelementptr inbounds double, ptr %184, i64 %221
+  %223 = load ptr, ptr %178, align 8
+  %224 = getelementptr inbounds double, ptr %1, i64 %213
+  %225 = getelementptr inbounds double, ptr %2, i64 %213
+  %226 = getelementptr inbounds double, ptr %5, i64 %213
+  %227 = call i64 %223(ptr noundef %224, ptr noundef %225, ptr noundef %222, ptr noundef %34, ptr noundef %226, ptr noundef nonnull %9) #4
+  %228 = ashr i64 %227, 32
+  %229 = shl nsw i64 %228, 1
+  %230 = add nsw i64 %229, %213
+  %231 = shl i64 %227, 32
+  %232 = ashr exact i64 %231, 32
+  %233 = getelementptr i8, ptr %205, i64 %230
+  %234 = icmp eq i64 %231, 0
+  br i1 %234, label %243, label %235
 
-232:                                              ; preds = %215, %232
-  %233 = phi i64 [ %238, %232 ], [ 0, %215 ]
-  %234 = lshr i64 %229, %233
-  %235 = trunc i64 %234 to i8
-  %236 = and i8 %235, 1
-  %237 = getelementptr inbounds i8, ptr %230, i64 %233
-  store i8 %236, ptr %237, align 1
-  %238 = add nuw nsw i64 %233, 1
-  %239 = icmp eq i64 %233, 0
-  br i1 %239, label %232, label %240, !llvm.loop !12
+235:                                              ; preds = %218, %235
+  %236 = phi i64 [ %241, %235 ], [ 0, %218 ]
+  %237 = lshr i64 %232, %236
+  %238 = trunc i64 %237 to i8
+  %239 = and i8 %238, 1
+  %240 = getelementptr inbounds i8, ptr %233, i64 %236
+  store i8 %239, ptr %240, align 1
+  %241 = add nuw nsw i64 %236, 1
+  %242 = icmp eq i64 %236, 0
+  br i1 %242, label %235, label %243, !llvm.loop !12
 
-240:                                              ; preds = %232, %215
-  %241 = select i1 %211, i1 %206, i1 false
-  %242 = select i1 %241, i64 %207, i64 %227
-  %243 = icmp slt i64 %242, %185
-  br i1 %243, label %208, label %244, !llvm.loop !13
+243:                                              ; preds = %235, %218
+  %244 = load i64, ptr %16, align 8
+  %245 = getelementptr double, ptr %5, i64 %213
+  %246 = icmp sgt i64 %244, 0
+  br i1 %246, label %247, label %250
 
-244:                                              ; preds = %240, %197
-  br label %598
+247:                                              ; preds = %243
+  %248 = load i64, ptr %24, align 8
+  %249 = icmp sgt i64 %228, 0
+  br label %255
 
-245:                                              ; preds = %176
-  %246 = select i1 %151, i1 %26, i1 false
-  %247 = select i1 %246, i1 %22, i1 false
-  br i1 %247, label %248, label %252
+250:                                              ; preds = %271, %243
+  %251 = phi <2 x i64> [ %211, %243 ], [ %272, %271 ]
+  %252 = select i1 %214, i1 %208, i1 false
+  %253 = select i1 %252, i64 %209, i64 %230
+  %254 = icmp slt i64 %253, %185
+  br i1 %254, label %210, label %275, !llvm.loop !13
 
-248:                                              ; preds = %245
-  %249 = getelementptr inbounds i8, ptr %0, i64 120
-  %250 = load i64, ptr %249, align 8
-  %251 = icmp eq i64 %250, 1
-  br label %252
+255:                                              ; preds = %247, %271
+  %256 = phi i64 [ 0, %247 ], [ %273, %271 ]
+  %257 = phi <2 x i64> [ %211, %247 ], [ %272, %271 ]
+  %258 = mul nsw i64 %248, %256
+  %259 = getelementptr double, ptr %245, i64 %258
+  br i1 %249, label %260, label %271
 
-252:                                              ; preds = %245, %248
-  %253 = phi i1 [ %246, %245 ], [ %251, %248 ]
-  br i1 %253, label %256, label %254
+260:                                              ; preds = %255, %260
+  %261 = phi <2 x i64> [ %268, %260 ], [ %257, %255 ]
+  %262 = phi i64 [ %269, %260 ], [ 0, %255 ]
+  %263 = shl nsw i64 %262, 4
+  %264 = getelementptr inbounds i8, ptr %259, i64 %263
+  %265 = load <2 x double>, ptr %264, align 8
+  %266 = fsub <2 x double> %265, %265
+  %267 = bitcast <2 x double> %266 to <2 x i64>
+  %268 = or <2 x i64> %261, %267
+  %269 = add nuw nsw i64 %262, 1
+  %270 = icmp eq i64 %269, %228
+  br i1 %270, label %271, label %260, !llvm.loop !14
 
-254:                                              ; preds = %252
-  %255 = load i64, ptr %40, align 8
-  br label %256
+271:                                              ; preds = %260, %255
+  %272 = phi <2 x i64> [ %257, %255 ], [ %268, %260 ]
+  %273 = add nuw nsw i64 %256, 1
+  %274 = icmp eq i64 %273, %244
+  br i1 %274, label %250, label %255, !llvm.loop !15
 
-256:                                              ; preds = %254, %252
-  %257 = phi i64 [ %255, %254 ], [ 1, %252 ]
-  %258 = add nsw i64 %11, -2
-  %259 = icmp sgt i64 %13, 0
-  %260 = shl i64 %13, 4
-  %261 = icmp sgt i64 %13, 1
-  %262 = add nsw i64 %13, -2
-  %263 = getelementptr inbounds i8, ptr %0, i64 120
-  %264 = icmp sgt i64 %15, 0
-  %265 = shl i64 %15, 4
-  %266 = icmp sgt i64 %15, 1
-  %267 = add nsw i64 %15, -2
-  %268 = shl i64 %15, 4
-  %269 = shl i64 %17, 4
-  %270 = icmp slt i64 %13, 257
-  %271 = icmp sgt i64 %13, 0
-  %272 = icmp slt i64 %17, 257
-  %273 = icmp sgt i64 %17, 0
-  %274 = shl i64 %13, 4
-  %275 = icmp sgt i64 %17, 0
-  %276 = icmp sgt i64 %17, 1
-  %277 = add nsw i64 %17, -2
-  %278 = icmp sgt i64 %17, 0
-  %279 = getelementptr i8, ptr %47, i64 16
-  br label %280
+275:                                              ; preds = %250, %199
+  %276 = phi <2 x i64> [ zeroinitializer, %199 ], [ %251, %250 ]
+  %277 = extractelement <2 x i64> %276, i64 0
+  %278 = icmp eq i64 %277, 0
+  %279 = extractelement <2 x i64> %276, i64 1
+  %280 = icmp eq i64 %279, 0
+  %281 = select i1 %280, i1 %278, i1 false
+  br label %639
 
-280:                                              ; preds = %256, %587
-  %281 = phi i64 [ 0, %256 ], [ %589, %587 ]
-  %282 = phi <2 x i64> [ zeroinitializer, %256 ], [ %440, %587 ]
-  %283 = sub nsw i64 %11, %281
-  %284 = sdiv i64 %283, 2
-  %285 = tail call i64 @llvm.smin.i64(i64 %257, i64 %284)
-  %286 = icmp eq i64 %285, 0
-  %287 = select i1 %286, i64 %258, i64 %281
-  %288 = tail call i64 @llvm.umax.i64(i64 %285, i64 1)
-  %289 = load i64, ptr %148, align 8
-  %290 = mul nsw i64 %289, %287
-  %291 = getelementptr inbounds double, ptr %2, i64 %290
-  %292 = load i64, ptr %149, align 8
+282:                                              ; preds = %176
+  %283 = getelementptr inbounds i8, ptr %0, i64 104
+  %284 = load i64, ptr %283, align 8
+  %285 = icmp ne i64 %284, 1
+  %286 = select i1 %285, i1 true, i1 %26
+  %287 = xor i1 %22, true
+  %288 = select i1 %286, i1 true, i1 %287
+  %289 = xor i1 %286, true
+  br i1 %288, label %294, label %290
+
+290:                                              ; preds = %282
+  %291 = getelementptr inbounds i8, ptr %0, i64 120
+  %292 = load i64, ptr %291, align 8
   %293 = icmp eq i64 %292, 1
-  br i1 %293, label %297, label %294
+  br label %294
 
-294:                                              ; preds = %280
-  br i1 %259, label %295, label %362
+294:                                              ; preds = %282, %290
+  %295 = phi i1 [ %289, %282 ], [ %293, %290 ]
+  br i1 %295, label %298, label %296
 
-295:                                              ; preds = %294
-  %296 = icmp sgt i64 %288, 0
-  br label %343
+296:                                              ; preds = %294
+  %297 = load i64, ptr %40, align 8
+  br label %298
 
-297:                                              ; preds = %280
-  %298 = icmp sgt i64 %288, 0
-  br i1 %298, label %299, label %362
+298:                                              ; preds = %296, %294
+  %299 = phi i64 [ %297, %296 ], [ 1, %294 ]
+  %300 = add nsw i64 %11, -2
+  %301 = icmp sgt i64 %13, 0
+  %302 = shl i64 %13, 4
+  %303 = icmp sgt i64 %13, 1
+  %304 = add nsw i64 %13, -2
+  %305 = getelementptr inbounds i8, ptr %0, i64 120
+  %306 = icmp sgt i64 %15, 0
+  %307 = shl i64 %15, 4
+  %308 = icmp sgt i64 %15, 1
+  %309 = add nsw i64 %15, -2
+  %310 = shl i64 %15, 4
+  %311 = shl i64 %17, 4
+  %312 = icmp slt i64 %13, 257
+  %313 = icmp sgt i64 %13, 0
+  %314 = icmp slt i64 %17, 257
+  %315 = icmp sgt i64 %17, 0
+  %316 = shl i64 %13, 4
+  %317 = icmp sgt i64 %17, 0
+  %318 = icmp sgt i64 %17, 1
+  %319 = add nsw i64 %17, -2
+  %320 = icmp sgt i64 %17, 0
+  %321 = getelementptr i8, ptr %47, i64 16
+  br label %328
 
-299:                                              ; preds = %297
-  %300 = shl i64 %289, 1
-  br label %301
+322:                                              ; preds = %635
+  %323 = extractelement <2 x i64> %488, i64 0
+  %324 = icmp eq i64 %323, 0
+  %325 = extractelement <2 x i64> %488, i64 1
+  %326 = icmp eq i64 %325, 0
+  %327 = select i1 %326, i1 %324, i1 false
+  br label %639
 
-301:                                              ; preds = %299, %340
-  %302 = phi i64 [ 0, %299 ], [ %341, %340 ]
-  %303 = mul i64 %300, %302
-  %304 = getelementptr inbounds double, ptr %291, i64 %303
-  %305 = mul i64 %260, %302
-  %306 = getelementptr inbounds i8, ptr %39, i64 %305
-  br i1 %261, label %307, label %309
+328:                                              ; preds = %298, %635
+  %329 = phi i64 [ 0, %298 ], [ %637, %635 ]
+  %330 = phi <2 x i64> [ zeroinitializer, %298 ], [ %488, %635 ]
+  %331 = sub nsw i64 %11, %329
+  %332 = sdiv i64 %331, 2
+  %333 = tail call i64 @llvm.smin.i64(i64 %299, i64 %332)
+  %334 = icmp eq i64 %333, 0
+  %335 = select i1 %334, i64 %300, i64 %329
+  %336 = tail call i64 @llvm.umax.i64(i64 %333, i64 1)
+  %337 = load i64, ptr %148, align 8
+  %338 = mul nsw i64 %337, %335
+  %339 = getelementptr inbounds double, ptr %2, i64 %338
+  %340 = load i64, ptr %283, align 8
+  %341 = icmp eq i64 %340, 1
+  br i1 %341, label %345, label %342
 
-307:                                              ; preds = %301
-  %308 = getelementptr i8, ptr %306, i64 16
-  br label %312
+342:                                              ; preds = %328
+  br i1 %301, label %343, label %410
 
-309:                                              ; preds = %312, %301
-  %310 = phi i64 [ 0, %301 ], [ %325, %312 ]
-  %311 = icmp slt i64 %310, %13
-  br i1 %311, label %328, label %340
+343:                                              ; preds = %342
+  %344 = icmp sgt i64 %336, 0
+  br label %391
 
-312:                                              ; preds = %307, %312
-  %313 = phi i64 [ %325, %312 ], [ 0, %307 ]
-  %314 = tail call i64 @llvm.smin.i64(i64 %313, i64 %262)
-  %315 = getelementptr double, ptr %304, i64 %314
-  %316 = load <2 x double>, ptr %315, align 8
-  %317 = getelementptr double, ptr %315, i64 %289
-  %318 = load <2 x double>, ptr %317, align 8
-  %319 = shufflevector <2 x double> %316, <2 x double> %318, <2 x i32> <i32 1, i32 3>
-  %320 = shufflevector <2 x double> %316, <2 x double> %318, <2 x i32> <i32 0, i32 2>
-  %321 = shl nsw i64 %314, 4
-  %322 = getelementptr inbounds i8, ptr %306, i64 %321
-  store <2 x double> %320, ptr %322, align 8
-  %323 = shl i64 %314, 4
-  %324 = getelementptr i8, ptr %308, i64 %323
-  store <2 x double> %319, ptr %324, align 8
-  %325 = add nsw i64 %314, 2
-  %326 = icmp slt i64 %325, %13
-  %327 = select i1 %261, i1 %326, i1 false
-  br i1 %327, label %312, label %309, !llvm.loop !14
+345:                                              ; preds = %328
+  %346 = icmp sgt i64 %336, 0
+  br i1 %346, label %347, label %410
 
-328:                                              ; preds = %309, %328
-  %329 = phi i64 [ %338, %328 ], [ %310, %309 ]
-  %330 = getelementptr double, ptr %304, i64 %329
-  %331 = load double, ptr %330, align 8
-  %332 = insertelement <2 x double> poison, double %331, i64 0
-  %333 = getelementptr double, ptr %330, i64 %289
-  %334 = load double, ptr %333, align 8
-  %335 = insertelement <2 x double> %332, double %334, i64 1
-  %336 = shl nsw i64 %329, 4
-  %337 = getelementptr inbounds i8, ptr %306, i64 %336
-  store <2 x double> %335, ptr %337, align 8
-  %338 = add nsw i64 %329, 1
-  %339 = icmp eq i64 %338, %13
-  br i1 %339, label %340, label %328, !llvm.loop !15
+347:                                              ; preds = %345
+  %348 = shl i64 %337, 1
+  br label %349
 
-340:                                              ; preds = %328, %309
-  %341 = add nuw nsw i64 %302, 1
-  %342 = icmp eq i64 %341, %288
-  br i1 %342, label %362, label %301, !llvm.loop !16
+349:                                              ; preds = %347, %388
+  %350 = phi i64 [ 0, %347 ], [ %389, %388 ]
+  %351 = mul i64 %348, %350
+  %352 = getelementptr inbounds double, ptr %339, i64 %351
+  %353 = mul i64 %302, %350
+  %354 = getelementptr inbounds i8, ptr %39, i64 %353
+  br i1 %303, label %355, label %357
 
-343:                                              ; preds = %295, %348
-  %344 = phi i64 [ 0, %295 ], [ %349, %348 ]
-  br i1 %296, label %345, label %348
+355:                                              ; preds = %349
+  %356 = getelementptr i8, ptr %354, i64 16
+  br label %360
 
-345:                                              ; preds = %343
-  %346 = mul nsw i64 %344, %292
-  %347 = getelementptr inbounds double, ptr %291, i64 %346
-  br label %351
+357:                                              ; preds = %360, %349
+  %358 = phi i64 [ 0, %349 ], [ %373, %360 ]
+  %359 = icmp slt i64 %358, %13
+  br i1 %359, label %376, label %388
 
-348:                                              ; preds = %351, %343
-  %349 = add nuw nsw i64 %344, 1
-  %350 = icmp eq i64 %349, %13
-  br i1 %350, label %362, label %343, !llvm.loop !17
+360:                                              ; preds = %355, %360
+  %361 = phi i64 [ %373, %360 ], [ 0, %355 ]
+  %362 = tail call i64 @llvm.smin.i64(i64 %361, i64 %304)
+  %363 = getelementptr double, ptr %352, i64 %362
+  %364 = load <2 x double>, ptr %363, align 8
+  %365 = getelementptr double, ptr %363, i64 %337
+  %366 = load <2 x double>, ptr %365, align 8
+  %367 = shufflevector <2 x double> %364, <2 x double> %366, <2 x i32> <i32 1, i32 3>
+  %368 = shufflevector <2 x double> %364, <2 x double> %366, <2 x i32> <i32 0, i32 2>
+  %369 = shl nsw i64 %362, 4
+  %370 = getelementptr inbounds i8, ptr %354, i64 %369
+  store <2 x double> %368, ptr %370, align 8
+  %371 = shl i64 %362, 4
+  %372 = getelementptr i8, ptr %356, i64 %371
+  store <2 x double> %367, ptr %372, align 8
+  %373 = add nsw i64 %362, 2
+  %374 = icmp slt i64 %373, %13
+  %375 = select i1 %303, i1 %374, i1 false
+  br i1 %375, label %360, label %357, !llvm.loop !16
 
-351:                                              ; preds = %345, %351
-  %352 = phi i64 [ 0, %345 ], [ %360, %351 ]
-  %353 = shl nsw i64 %352, 4
-  %354 = getelementptr inbounds i8, ptr %347, i64 %353
-  %355 = load <2 x double>, ptr %354, align 8
-  %356 = mul nuw nsw i64 %352, %13
-  %357 = add nuw nsw i64 %356, %344
-  %358 = shl nsw i64 %357, 4
-  %359 = getelementptr inbounds i8, ptr %39, i64 %358
-  store <2 x double> %355, ptr %359, align 16
-  %360 = add nuw nsw i64 %352, 1
-  %361 = icmp eq i64 %360, %288
-  br i1 %361, label %348, label %351, !llvm.loop !18
+376:                                              ; preds = %357, %376
+  %377 = phi i64 [ %386, %376 ], [ %358, %357 ]
+  %378 = getelementptr double, ptr %352, i64 %377
+  %379 = load double, ptr %378, align 8
+  %380 = insertelement <2 x double> poison, double %379, i64 0
+  %381 = getelementptr double, ptr %378, i64 %337
+  %382 = load double, ptr %381, align 8
+  %383 = insertelement <2 x double> %380, double %382, i64 1
+  %384 = shl nsw i64 %377, 4
+  %385 = getelementptr inbounds i8, ptr %354, i64 %384
+  store <2 x double> %383, ptr %385, align 8
+  %386 = add nsw i64 %377, 1
+  %387 = icmp eq i64 %386, %13
+  br i1 %387, label %388, label %376, !llvm.loop !17
 
-362:                                              ; preds = %348, %340, %294, %297
-  br i1 %22, label %363, label %437
+388:                                              ; preds = %376, %357
+  %389 = add nuw nsw i64 %350, 1
+  %390 = icmp eq i64 %389, %336
+  br i1 %390, label %410, label %349, !llvm.loop !18
 
-363:                                              ; preds = %362
-  %364 = load i64, ptr %18, align 8
-  %365 = mul nsw i64 %364, %287
-  %366 = getelementptr inbounds double, ptr %3, i64 %365
-  %367 = load i64, ptr %263, align 8
-  %368 = icmp eq i64 %367, 1
-  br i1 %368, label %372, label %369
+391:                                              ; preds = %343, %396
+  %392 = phi i64 [ 0, %343 ], [ %397, %396 ]
+  br i1 %344, label %393, label %396
 
-369:                                              ; preds = %363
-  br i1 %264, label %370, label %437
+393:                                              ; preds = %391
+  %394 = mul nsw i64 %392, %340
+  %395 = getelementptr inbounds double, ptr %339, i64 %394
+  br label %399
 
-370:                                              ; preds = %369
-  %371 = icmp sgt i64 %288, 0
-  br label %418
+396:                                              ; preds = %399, %391
+  %397 = add nuw nsw i64 %392, 1
+  %398 = icmp eq i64 %397, %13
+  br i1 %398, label %410, label %391, !llvm.loop !19
 
-372:                                              ; preds = %363
-  %373 = icmp sgt i64 %288, 0
-  br i1 %373, label %374, label %437
+399:                                              ; preds = %393, %399
+  %400 = phi i64 [ 0, %393 ], [ %408, %399 ]
+  %401 = shl nsw i64 %400, 4
+  %402 = getelementptr inbounds i8, ptr %395, i64 %401
+  %403 = load <2 x double>, ptr %402, align 8
+  %404 = mul nuw nsw i64 %400, %13
+  %405 = add nuw nsw i64 %404, %392
+  %406 = shl nsw i64 %405, 4
+  %407 = getelementptr inbounds i8, ptr %39, i64 %406
+  store <2 x double> %403, ptr %407, align 16
+  %408 = add nuw nsw i64 %400, 1
+  %409 = icmp eq i64 %408, %336
+  br i1 %409, label %396, label %399, !llvm.loop !20
 
-374:                                              ; preds = %372
-  %375 = shl i64 %364, 1
-  br label %376
+410:                                              ; preds = %396, %388, %342, %345
+  br i1 %22, label %411, label %485
 
-376:                                              ; preds = %374, %415
-  %377 = phi i64 [ 0, %374 ], [ %416, %415 ]
-  %378 = mul i64 %375, %377
-  %379 = getelementptr inbounds double, ptr %366, i64 %378
-  %380 = mul i64 %265, %377
-  %381 = getelementptr inbounds i8, ptr %44, i64 %380
-  br i1 %266, label %382, label %384
+411:                                              ; preds = %410
+  %412 = load i64, ptr %18, align 8
+  %413 = mul nsw i64 %412, %335
+  %414 = getelementptr inbounds double, ptr %3, i64 %413
+  %415 = load i64, ptr %305, align 8
+  %416 = icmp eq i64 %415, 1
+  br i1 %416, label %420, label %417
 
-382:                                              ; preds = %376
-  %383 = getelementptr i8, ptr %381, i64 16
-  br label %387
+417:                                              ; preds = %411
+  br i1 %306, label %418, label %485
 
-384:                                              ; preds = %387, %376
-  %385 = phi i64 [ 0, %376 ], [ %400, %387 ]
-  %386 = icmp slt i64 %385, %15
-  br i1 %386, label %403, label %415
+418:                                              ; preds = %417
+  %419 = icmp sgt i64 %336, 0
+  br label %466
 
-387:                                              ; preds = %382, %387
-  %388 = phi i64 [ %400, %387 ], [ 0, %382 ]
-  %389 = tail call i64 @llvm.smin.i64(i64 %388, i64 %267)
-  %390 = getelementptr double, ptr %379, i64 %389
-  %391 = load <2 x double>, ptr %390, align 8
-  %392 = getelementptr double, ptr %390, i64 %364
-  %393 = load <2 x double>, ptr %392, align 8
-  %394 = shufflevector <2 x double> %391, <2 x double> %393, <2 x i32> <i32 1, i32 3>
-  %395 = shufflevector <2 x double> %391, <2 x double> %393, <2 x i32> <i32 0, i32 2>
-  %396 = shl nsw i64 %389, 4
-  %397 = getelementptr inbounds i8, ptr %381, i64 %396
-  store <2 x double> %395, ptr %397, align 8
-  %398 = shl i64 %389, 4
-  %399 = getelementptr i8, ptr %383, i64 %398
-  store <2 x double> %394, ptr %399, align 8
-  %400 = add nsw i64 %389, 2
-  %401 = icmp slt i64 %400, %15
-  %402 = select i1 %266, i1 %401, i1 false
-  br i1 %402, label %387, label %384, !llvm.loop !14
+420:                                              ; preds = %411
+  %421 = icmp sgt i64 %336, 0
+  br i1 %421, label %422, label %485
 
-403:                                              ; preds = %384, %403
-  %404 = phi i64 [ %413, %403 ], [ %385, %384 ]
-  %405 = getelementptr double, ptr %379, i64 %404
-  %406 = load double, ptr %405, align 8
-  %407 = insertelement <2 x double> poison, double %406, i64 0
-  %408 = getelementptr double, ptr %405, i64 %364
-  %409 = load double, ptr %408, align 8
-  %410 = insertelement <2 x double> %407, double %409, i64 1
-  %411 = shl nsw i64 %404, 4
-  %412 = getelementptr inbounds i8, ptr %381, i64 %411
-  store <2 x double> %410, ptr %412, align 8
-  %413 = add nsw i64 %404, 1
-  %414 = icmp eq i64 %413, %15
-  br i1 %414, label %415, label %403, !llvm.loop !15
+422:                                              ; preds = %420
+  %423 = shl i64 %412, 1
+  br label %424
 
-415:                                              ; preds = %403, %384
-  %416 = add nuw nsw i64 %377, 1
-  %417 = icmp eq i64 %416, %288
-  br i1 %417, label %437, label %376, !llvm.loop !16
+424:                                              ; preds = %422, %463
+  %425 = phi i64 [ 0, %422 ], [ %464, %463 ]
+  %426 = mul i64 %423, %425
+  %427 = getelementptr inbounds double, ptr %414, i64 %426
+  %428 = mul i64 %307, %425
+  %429 = getelementptr inbounds i8, ptr %44, i64 %428
+  br i1 %308, label %430, label %432
 
-418:                                              ; preds = %370, %423
-  %419 = phi i64 [ 0, %370 ], [ %424, %423 ]
-  br i1 %371, label %420, label %423
+430:                                              ; preds = %424
+  %431 = getelementptr i8, ptr %429, i64 16
+  br label %435
 
-420:                                              ; preds = %418
-  %421 = mul nsw i64 %419, %367
-  %422 = getelementptr inbounds double, ptr %366, i64 %421
-  br label %426
+432:                                              ; preds = %435, %424
+  %433 = phi i64 [ 0, %424 ], [ %448, %435 ]
+  %434 = icmp slt i64 %433, %15
+  br i1 %434, label %451, label %463
 
-423:                                              ; preds = %426, %418
-  %424 = add nuw nsw i64 %419, 1
-  %425 = icmp eq i64 %424, %15
-  br i1 %425, label %437, label %418, !llvm.loop !17
+435:                                              ; preds = %430, %435
+  %436 = phi i64 [ %448, %435 ], [ 0, %430 ]
+  %437 = tail call i64 @llvm.smin.i64(i64 %436, i64 %309)
+  %438 = getelementptr double, ptr %427, i64 %437
+  %439 = load <2 x double>, ptr %438, align 8
+  %440 = getelementptr double, ptr %438, i64 %412
+  %441 = load <2 x double>, ptr %440, align 8
+  %442 = shufflevector <2 x double> %439, <2 x double> %441, <2 x i32> <i32 1, i32 3>
+  %443 = shufflevector <2 x double> %439, <2 x double> %441, <2 x i32> <i32 0, i32 2>
+  %444 = shl nsw i64 %437, 4
+  %445 = getelementptr inbounds i8, ptr %429, i64 %444
+  store <2 x double> %443, ptr %445, align 8
+  %446 = shl i64 %437, 4
+  %447 = getelementptr i8, ptr %431, i64 %446
+  store <2 x double> %442, ptr %447, align 8
+  %448 = add nsw i64 %437, 2
+  %449 = icmp slt i64 %448, %15
+  %450 = select i1 %308, i1 %449, i1 false
+  br i1 %450, label %435, label %432, !llvm.loop !16
 
-426:                                              ; preds = %420, %426
-  %427 = phi i64 [ 0, %420 ], [ %435, %426 ]
-  %428 = shl nsw i64 %427, 4
-  %429 = getelementptr inbounds i8, ptr %422, i64 %428
-  %430 = load <2 x double>, ptr %429, align 8
-  %431 = mul nuw nsw i64 %427, %15
-  %432 = add nuw nsw i64 %431, %419
-  %433 = shl nsw i64 %432, 4
-  %434 = getelementptr inbounds i8, ptr %44, i64 %433
-  store <2 x double> %430, ptr %434, align 8
-  %435 = add nuw nsw i64 %427, 1
-  %436 = icmp eq i64 %435, %288
-  br i1 %436, label %423, label %426, !llvm.loop !18
+451:                                              ; preds = %432, %451
+  %452 = phi i64 [ %461, %451 ], [ %433, %432 ]
+  %453 = getelementptr double, ptr %427, i64 %452
+  %454 = load double, ptr %453, align 8
+  %455 = insertelement <2 x double> poison, double %454, i64 0
+  %456 = getelementptr double, ptr %453, i64 %412
+  %457 = load double, ptr %456, align 8
+  %458 = insertelement <2 x double> %455, double %457, i64 1
+  %459 = shl nsw i64 %452, 4
+  %460 = getelementptr inbounds i8, ptr %429, i64 %459
+  store <2 x double> %458, ptr %460, align 8
+  %461 = add nsw i64 %452, 1
+  %462 = icmp eq i64 %461, %15
+  br i1 %462, label %463, label %451, !llvm.loop !17
 
-437:                                              ; preds = %423, %415, %369, %372, %362
-  %438 = icmp sgt i64 %288, 0
-  br i1 %438, label %441, label %439
+463:                                              ; preds = %451, %432
+  %464 = add nuw nsw i64 %425, 1
+  %465 = icmp eq i64 %464, %336
+  br i1 %465, label %485, label %424, !llvm.loop !18
 
-439:                                              ; preds = %560, %437
-  %440 = phi <2 x i64> [ %282, %437 ], [ %525, %560 ]
-  br i1 %26, label %587, label %563
+466:                                              ; preds = %418, %471
+  %467 = phi i64 [ 0, %418 ], [ %472, %471 ]
+  br i1 %419, label %468, label %471
 
-441:                                              ; preds = %437, %560
-  %442 = phi i64 [ %561, %560 ], [ 0, %437 ]
-  %443 = phi <2 x i64> [ %525, %560 ], [ %282, %437 ]
-  %444 = shl nuw nsw i64 %442, 1
-  %445 = add nsw i64 %444, %287
-  %446 = mul i64 %268, %442
-  %447 = select i1 %20, i64 %446, i64 0
-  %448 = getelementptr inbounds i8, ptr %44, i64 %447
-  %449 = mul i64 %269, %442
-  %450 = select i1 %26, i64 0, i64 %449
-  %451 = getelementptr inbounds i8, ptr %47, i64 %450
-  %452 = add nsw i64 %445, 4
-  %453 = icmp sle i64 %452, %11
-  %454 = select i1 %26, i1 %453, i1 false
-  br i1 %454, label %455, label %495
+468:                                              ; preds = %466
+  %469 = mul nsw i64 %467, %415
+  %470 = getelementptr inbounds double, ptr %414, i64 %469
+  br label %474
 
-455:                                              ; preds = %441
-  %456 = add nsw i64 %445, 2
-  %457 = load i64, ptr %149, align 8
-  %458 = icmp eq i64 %457, 1
-  %459 = select i1 %458, i1 %270, i1 false
-  br i1 %459, label %460, label %477
+471:                                              ; preds = %474, %466
+  %472 = add nuw nsw i64 %467, 1
+  %473 = icmp eq i64 %472, %15
+  br i1 %473, label %485, label %466, !llvm.loop !19
 
-460:                                              ; preds = %455, %468
-  %461 = phi i64 [ %469, %468 ], [ 0, %455 ]
-  br i1 %271, label %462, label %468
+474:                                              ; preds = %468, %474
+  %475 = phi i64 [ 0, %468 ], [ %483, %474 ]
+  %476 = shl nsw i64 %475, 4
+  %477 = getelementptr inbounds i8, ptr %470, i64 %476
+  %478 = load <2 x double>, ptr %477, align 8
+  %479 = mul nuw nsw i64 %475, %15
+  %480 = add nuw nsw i64 %479, %467
+  %481 = shl nsw i64 %480, 4
+  %482 = getelementptr inbounds i8, ptr %44, i64 %481
+  store <2 x double> %478, ptr %482, align 8
+  %483 = add nuw nsw i64 %475, 1
+  %484 = icmp eq i64 %483, %336
+  br i1 %484, label %471, label %474, !llvm.loop !20
 
-462:                                              ; preds = %460
-  %463 = load i64, ptr %148, align 8
-  %464 = mul nsw i64 %463, %456
-  %465 = getelementptr inbounds double, ptr %2, i64 %464
-  %466 = mul nuw nsw i64 %463, %461
-  %467 = getelementptr inbounds double, ptr %465, i64 %466
-  br label %472
+485:                                              ; preds = %471, %463, %417, %420, %410
+  %486 = icmp sgt i64 %336, 0
+  br i1 %486, label %489, label %487
 
-468:                                              ; preds = %472, %460
-  %469 = add nuw nsw i64 %461, 1
-  %470 = icmp eq i64 %461, 0
-  %471 = select i1 %270, i1 %470, i1 false
-  br i1 %471, label %460, label %477, !llvm.loop !19
+487:                                              ; preds = %608, %485
+  %488 = phi <2 x i64> [ %330, %485 ], [ %573, %608 ]
+  br i1 %26, label %611, label %635
 
-472:                                              ; preds = %462, %472
-  %473 = phi i64 [ 0, %462 ], [ %475, %472 ]
-  %474 = getelementptr inbounds double, ptr %467, i64 %473
-  tail call void @llvm.prefetch.p0(ptr %474, i32 0, i32 3, i32 1)
-  %475 = add nuw nsw i64 %473, 8
-  %476 = icmp slt i64 %475, %13
-  br i1 %476, label %472, label %468, !llvm.loop !20
+489:                                              ; preds = %485, %608
+  %490 = phi i64 [ %609, %608 ], [ 0, %485 ]
+  %491 = phi <2 x i64> [ %573, %608 ], [ %330, %485 ]
+  %492 = shl nuw nsw i64 %490, 1
+  %493 = add nsw i64 %492, %335
+  %494 = mul i64 %310, %490
+  %495 = select i1 %20, i64 %494, i64 0
+  %496 = getelementptr inbounds i8, ptr %44, i64 %495
+  %497 = mul i64 %311, %490
+  %498 = select i1 %26, i64 %497, i64 0
+  %499 = getelementptr inbounds i8, ptr %47, i64 %498
+  %500 = add nsw i64 %493, 4
+  %501 = icmp sgt i64 %500, %11
+  %502 = select i1 %26, i1 true, i1 %501
+  br i1 %502, label %543, label %503
 
-477:                                              ; preds = %468, %455
-  br i1 %272, label %478, label %495
+503:                                              ; preds = %489
+  %504 = add nsw i64 %493, 2
+  %505 = load i64, ptr %283, align 8
+  %506 = icmp eq i64 %505, 1
+  %507 = select i1 %506, i1 %312, i1 false
+  br i1 %507, label %508, label %525
 
-478:                                              ; preds = %477, %486
-  %479 = phi i64 [ %487, %486 ], [ 0, %477 ]
-  br i1 %273, label %480, label %486
+508:                                              ; preds = %503, %516
+  %509 = phi i64 [ %517, %516 ], [ 0, %503 ]
+  br i1 %313, label %510, label %516
 
-480:                                              ; preds = %478
-  %481 = load i64, ptr %23, align 8
-  %482 = mul nsw i64 %481, %456
-  %483 = getelementptr inbounds double, ptr %5, i64 %482
-  %484 = mul nuw nsw i64 %481, %479
-  %485 = getelementptr inbounds double, ptr %483, i64 %484
-  br label %490
+510:                                              ; preds = %508
+  %511 = load i64, ptr %148, align 8
+  %512 = mul nsw i64 %511, %504
+  %513 = getelementptr inbounds double, ptr %2, i64 %512
+  %514 = mul nuw nsw i64 %511, %509
+  %515 = getelementptr inbounds double, ptr %513, i64 %514
+  br label %520
 
-486:                                              ; preds = %490, %478
-  %487 = add nuw nsw i64 %479, 1
-  %488 = icmp eq i64 %479, 0
-  %489 = select i1 %272, i1 %488, i1 false
-  br i1 %489, label %478, label %495, !llvm.loop !21
+516:                                              ; preds = %520, %508
+  %517 = add nuw nsw i64 %509, 1
+  %518 = icmp eq i64 %509, 0
+  %519 = select i1 %312, i1 %518, i1 false
+  br i1 %519, label %508, label %525, !llvm.loop !21
 
-490:                                              ; preds = %480, %490
-  %491 = phi i64 [ 0, %480 ], [ %493, %490 ]
-  %492 = getelementptr inbounds double, ptr %485, i64 %491
-  tail call void @llvm.prefetch.p0(ptr %492, i32 1, i32 3, i32 1)
-  %493 = add nuw nsw i64 %491, 8
-  %494 = icmp slt i64 %493, %17
-  br i1 %494, label %490, label %486, !llvm.loop !22
+520:                                              ; preds = %510, %520
+  %521 = phi i64 [ 0, %510 ], [ %523, %520 ]
+  %522 = getelementptr inbounds double, ptr %515, i64 %521
+  tail call void @llvm.prefetch.p0(ptr %522, i32 0, i32 3, i32 1)
+  %523 = add nuw nsw i64 %521, 8
+  %524 = icmp slt i64 %523, %13
+  br i1 %524, label %520, label %516, !llvm.loop !22
 
-495:                                              ; preds = %486, %477, %441
-  %496 = load ptr, ptr %0, align 8
-  %497 = getelementptr inbounds double, ptr %1, i64 %445
-  %498 = mul i64 %274, %442
-  %499 = getelementptr inbounds i8, ptr %39, i64 %498
-  %500 = tail call i32 %496(ptr noundef %497, ptr noundef nonnull %499, ptr noundef nonnull %448, ptr noundef %34, ptr noundef nonnull %451) #4
-  %501 = sext i32 %500 to i64
-  %502 = getelementptr inbounds i8, ptr %6, i64 %445
-  %503 = icmp eq i32 %500, 0
-  br i1 %503, label %512, label %504
+525:                                              ; preds = %516, %503
+  br i1 %314, label %526, label %543
 
-504:                                              ; preds = %495, %504
-  %505 = phi i64 [ %510, %504 ], [ 0, %495 ]
-  %506 = lshr i64 %501, %505
-  %507 = trunc i64 %506 to i8
-  %508 = and i8 %507, 1
-  %509 = getelementptr inbounds i8, ptr %502, i64 %505
-  store i8 %508, ptr %509, align 1
-  %510 = add nuw nsw i64 %505, 1
-  %511 = icmp eq i64 %505, 0
-  br i1 %511, label %504, label %512, !llvm.loop !12
+526:                                              ; preds = %525, %534
+  %527 = phi i64 [ %535, %534 ], [ 0, %525 ]
+  br i1 %315, label %528, label %534
 
-512:                                              ; preds = %504, %495
-  br i1 %275, label %513, label %524
+528:                                              ; preds = %526
+  %529 = load i64, ptr %23, align 8
+  %530 = mul nsw i64 %529, %504
+  %531 = getelementptr inbounds double, ptr %5, i64 %530
+  %532 = mul nuw nsw i64 %529, %527
+  %533 = getelementptr inbounds double, ptr %531, i64 %532
+  br label %538
 
-513:                                              ; preds = %512, %513
-  %514 = phi <2 x i64> [ %521, %513 ], [ %443, %512 ]
-  %515 = phi i64 [ %522, %513 ], [ 0, %512 ]
-  %516 = shl nsw i64 %515, 4
-  %517 = getelementptr inbounds i8, ptr %451, i64 %516
-  %518 = load <2 x double>, ptr %517, align 8
-  %519 = fsub <2 x double> %518, %518
-  %520 = bitcast <2 x double> %519 to <2 x i64>
-  %521 = or <2 x i64> %514, %520
-  %522 = add nuw nsw i64 %515, 1
-  %523 = icmp eq i64 %522, %17
-  br i1 %523, label %524, label %513, !llvm.loop !23
+534:                                              ; preds = %538, %526
+  %535 = add nuw nsw i64 %527, 1
+  %536 = icmp eq i64 %527, 0
+  %537 = select i1 %314, i1 %536, i1 false
+  br i1 %537, label %526, label %543, !llvm.loop !23
 
-524:                                              ; preds = %513, %512
-  %525 = phi <2 x i64> [ %443, %512 ], [ %521, %513 ]
-  br i1 %26, label %526, label %560
+538:                                              ; preds = %528, %538
+  %539 = phi i64 [ 0, %528 ], [ %541, %538 ]
+  %540 = getelementptr inbounds double, ptr %533, i64 %539
+  tail call void @llvm.prefetch.p0(ptr %540, i32 1, i32 3, i32 1)
+  %541 = add nuw nsw i64 %539, 8
+  %542 = icmp slt i64 %541, %17
+  br i1 %542, label %538, label %534, !llvm.loop !24
 
-526:                                              ; preds = %524
-  %527 = load i64, ptr %23, align 8
-  %528 = mul nsw i64 %527, %445
-  %529 = getelementptr inbounds double, ptr %5, i64 %528
-  br i1 %276, label %533, label %530
+543:                                              ; preds = %534, %525, %489
+  %544 = load ptr, ptr %0, align 8
+  %545 = getelementptr inbounds double, ptr %1, i64 %493
+  %546 = mul i64 %316, %490
+  %547 = getelementptr inbounds i8, ptr %39, i64 %546
+  %548 = tail call i32 %544(ptr noundef %545, ptr noundef nonnull %547, ptr noundef nonnull %496, ptr noundef %34, ptr noundef nonnull %499) #4
+  %549 = sext i32 %548 to i64
+  %550 = getelementptr inbounds i8, ptr %6, i64 %493
+  %551 = icmp eq i32 %548, 0
+  br i1 %551, label %560, label %552
 
-530:                                              ; preds = %533, %526
-  %531 = phi i64 [ 0, %526 ], [ %546, %533 ]
-  %532 = icmp slt i64 %531, %17
-  br i1 %532, label %549, label %560
+552:                                              ; preds = %543, %552
+  %553 = phi i64 [ %558, %552 ], [ 0, %543 ]
+  %554 = lshr i64 %549, %553
+  %555 = trunc i64 %554 to i8
+  %556 = and i8 %555, 1
+  %557 = getelementptr inbounds i8, ptr %550, i64 %553
+  store i8 %556, ptr %557, align 1
+  %558 = add nuw nsw i64 %553, 1
+  %559 = icmp eq i64 %553, 0
+  br i1 %559, label %552, label %560, !llvm.loop !12
 
-533:                                              ; preds = %526, %533
-  %534 = phi i64 [ %546, %533 ], [ 0, %526 ]
-  %535 = tail call i64 @llvm.smin.i64(i64 %534, i64 %277)
-  %536 = getelementptr double, ptr %529, i64 %535
-  %537 = shl nsw i64 %535, 4
-  %538 = getelementptr inbounds i8, ptr %47, i64 %537
-  %539 = load <2 x double>, ptr %538, align 8
-  %540 = shl i64 %535, 4
-  %541 = getelementptr i8, ptr %279, i64 %540
-  %542 = load <2 x double>, ptr %541, align 8
-  %543 = shufflevector <2 x double> %539, <2 x double> %542, <2 x i32> <i32 1, i32 3>
-  %544 = shufflevector <2 x double> %539, <2 x double> %542, <2 x i32> <i32 0, i32 2>
-  store <2 x double> %544, ptr %536, align 8
-  %545 = getelementptr double, ptr %536, i64 %527
-  store <2 x double> %543, ptr %545, align 8
-  %546 = add nsw i64 %535, 2
-  %547 = icmp slt i64 %546, %17
-  %548 = select i1 %276, i1 %547, i1 false
-  br i1 %548, label %533, label %530, !llvm.loop !24
+560:                                              ; preds = %552, %543
+  br i1 %317, label %561, label %572
 
-549:                                              ; preds = %530, %549
-  %550 = phi i64 [ %558, %549 ], [ %531, %530 ]
-  %551 = getelementptr double, ptr %529, i64 %550
-  %552 = shl nsw i64 %550, 4
-  %553 = getelementptr inbounds i8, ptr %47, i64 %552
-  %554 = load <2 x double>, ptr %553, align 8
-  %555 = extractelement <2 x double> %554, i64 0
-  store double %555, ptr %551, align 8
-  %556 = extractelement <2 x double> %554, i64 1
-  %557 = getelementptr double, ptr %551, i64 %527
-  store double %556, ptr %557, align 8
-  %558 = add nsw i64 %550, 1
-  %559 = icmp eq i64 %558, %17
-  br i1 %559, label %560, label %549, !llvm.loop !25
+561:                                              ; preds = %560, %561
+  %562 = phi <2 x i64> [ %569, %561 ], [ %491, %560 ]
+  %563 = phi i64 [ %570, %561 ], [ 0, %560 ]
+  %564 = shl nsw i64 %563, 4
+  %565 = getelementptr inbounds i8, ptr %499, i64 %564
+  %566 = load <2 x double>, ptr %565, align 8
+  %567 = fsub <2 x double> %566, %566
+  %568 = bitcast <2 x double> %567 to <2 x i64>
+  %569 = or <2 x i64> %562, %568
+  %570 = add nuw nsw i64 %563, 1
+  %571 = icmp eq i64 %570, %17
+  br i1 %571, label %572, label %561, !llvm.loop !14
 
-560:                                              ; preds = %549, %530, %524
-  %561 = add nuw nsw i64 %442, 1
-  %562 = icmp eq i64 %561, %288
-  br i1 %562, label %439, label %441, !llvm.loop !26
+572:                                              ; preds = %561, %560
+  %573 = phi <2 x i64> [ %491, %560 ], [ %569, %561 ]
+  br i1 %26, label %608, label %574
 
-563:                                              ; preds = %439
-  %564 = load i64, ptr %24, align 8
-  %565 = getelementptr inbounds double, ptr %5, i64 %287
-  br i1 %278, label %566, label %587
+574:                                              ; preds = %572
+  %575 = load i64, ptr %23, align 8
+  %576 = mul nsw i64 %575, %493
+  %577 = getelementptr inbounds double, ptr %5, i64 %576
+  br i1 %318, label %581, label %578
 
-566:                                              ; preds = %563
-  %567 = icmp sgt i64 %288, 0
-  br label %568
+578:                                              ; preds = %581, %574
+  %579 = phi i64 [ 0, %574 ], [ %594, %581 ]
+  %580 = icmp slt i64 %579, %17
+  br i1 %580, label %597, label %608
 
-568:                                              ; preds = %566, %573
-  %569 = phi i64 [ 0, %566 ], [ %574, %573 ]
-  br i1 %567, label %570, label %573
+581:                                              ; preds = %574, %581
+  %582 = phi i64 [ %594, %581 ], [ 0, %574 ]
+  %583 = tail call i64 @llvm.smin.i64(i64 %582, i64 %319)
+  %584 = getelementptr double, ptr %577, i64 %583
+  %585 = shl nsw i64 %583, 4
+  %586 = getelementptr inbounds i8, ptr %47, i64 %585
+  %587 = load <2 x double>, ptr %586, align 8
+  %588 = shl i64 %583, 4
+  %589 = getelementptr i8, ptr %321, i64 %588
+  %590 = load <2 x double>, ptr %589, align 8
+  %591 = shufflevector <2 x double> %587, <2 x double> %590, <2 x i32> <i32 1, i32 3>
+  %592 = shufflevector <2 x double> %587, <2 x double> %590, <2 x i32> <i32 0, i32 2>
+  store <2 x double> %592, ptr %584, align 8
+  %593 = getelementptr double, ptr %584, i64 %575
+  store <2 x double> %591, ptr %593, align 8
+  %594 = add nsw i64 %583, 2
+  %595 = icmp slt i64 %594, %17
+  %596 = select i1 %318, i1 %595, i1 false
+  br i1 %596, label %581, label %578, !llvm.loop !25
 
-570:                                              ; preds = %568
-  %571 = mul nsw i64 %569, %564
-  %572 = getelementptr inbounds double, ptr %565, i64 %571
-  br label %576
+597:                                              ; preds = %578, %597
+  %598 = phi i64 [ %606, %597 ], [ %579, %578 ]
+  %599 = getelementptr double, ptr %577, i64 %598
+  %600 = shl nsw i64 %598, 4
+  %601 = getelementptr inbounds i8, ptr %47, i64 %600
+  %602 = load <2 x double>, ptr %601, align 8
+  %603 = extractelement <2 x double> %602, i64 0
+  store double %603, ptr %599, align 8
+  %604 = extractelement <2 x double> %602, i64 1
+  %605 = getelementptr double, ptr %599, i64 %575
+  store double %604, ptr %605, align 8
+  %606 = add nsw i64 %598, 1
+  %607 = icmp eq i64 %606, %17
+  br i1 %607, label %608, label %597, !llvm.loop !26
 
-573:                                              ; preds = %576, %568
-  %574 = add nuw nsw i64 %569, 1
-  %575 = icmp eq i64 %574, %17
-  br i1 %575, label %587, label %568, !llvm.loop !27
+608:                                              ; preds = %597, %578, %572
+  %609 = add nuw nsw i64 %490, 1
+  %610 = icmp eq i64 %609, %336
+  br i1 %610, label %487, label %489, !llvm.loop !27
 
-576:                                              ; preds = %570, %576
-  %577 = phi i64 [ 0, %570 ], [ %585, %576 ]
-  %578 = mul nuw nsw i64 %577, %17
-  %579 = add nuw nsw i64 %578, %569
-  %580 = shl nsw i64 %579, 4
-  %581 = getelementptr inbounds i8, ptr %47, i64 %580
-  %582 = load <2 x double>, ptr %581, align 8
-  %583 = shl nsw i64 %577, 4
-  %584 = getelementptr inbounds i8, ptr %572, i64 %583
-  store <2 x double> %582, ptr %584, align 8
-  %585 = add nuw nsw i64 %577, 1
-  %586 = icmp eq i64 %585, %288
-  br i1 %586, label %573, label %576, !llvm.loop !28
+611:                                              ; preds = %487
+  %612 = load i64, ptr %24, align 8
+  %613 = getelementptr inbounds double, ptr %5, i64 %335
+  br i1 %320, label %614, label %635
 
-587:                                              ; preds = %573, %563, %439
-  %588 = shl nsw i64 %288, 1
-  %589 = add nsw i64 %287, %588
-  %590 = icmp slt i64 %589, %11
-  br i1 %590, label %280, label %591, !llvm.loop !29
+614:                                              ; preds = %611
+  %615 = icmp sgt i64 %336, 0
+  br label %616
 
-591:                                              ; preds = %587
-  %592 = extractelement <2 x i64> %440, i64 0
-  %593 = icmp eq i64 %592, 0
-  %594 = extractelement <2 x i64> %440, i64 1
-  %595 = icmp eq i64 %594, 0
-  %596 = select i1 %595, i1 %593, i1 false
-  %597 = zext i1 %596 to i64
-  br label %598
+616:                                              ; preds = %614, %621
+  %617 = phi i64 [ 0, %614 ], [ %622, %621 ]
+  br i1 %615, label %618, label %621
 
-598:                                              ; preds = %137, %102, %244, %591, %8
-  %599 = phi i64 [ 1, %8 ], [ 0, %244 ], [ %597, %591 ], [ 0, %102 ], [ 0, %137 ]
-  ret i64 %599
+618:                                              ; preds = %616
+  %619 = mul nsw i64 %617, %612
+  %620 = getelementptr inbounds double, ptr %613, i64 %619
+  br label %624
+
+621:                                              ; preds = %624, %616
+  %622 = add nuw nsw i64 %617, 1
+  %623 = icmp eq i64 %622, %17
+  br i1 %623, label %635, label %616, !llvm.loop !28
+
+624:                                              ; preds = %618, %624
+  %625 = phi i64 [ 0, %618 ], [ %633, %624 ]
+  %626 = mul nuw nsw i64 %625, %17
+  %627 = add nuw nsw i64 %626, %617
+  %628 = shl nsw i64 %627, 4
+  %629 = getelementptr inbounds i8, ptr %47, i64 %628
+  %630 = load <2 x double>, ptr %629, align 8
+  %631 = shl nsw i64 %625, 4
+  %632 = getelementptr inbounds i8, ptr %620, i64 %631
+  store <2 x double> %630, ptr %632, align 8
+  %633 = add nuw nsw i64 %625, 1
+  %634 = icmp eq i64 %633, %336
+  br i1 %634, label %621, label %624, !llvm.loop !29
+
+635:                                              ; preds = %621, %611, %487
+  %636 = shl nsw i64 %336, 1
+  %637 = add nsw i64 %335, %636
+  %638 = icmp slt i64 %637, %11
+  br i1 %638, label %328, label %322, !llvm.loop !30
+
+639:                                              ; preds = %137, %322, %102, %275, %8
+  %640 = phi i1 [ true, %8 ], [ %281, %275 ], [ false, %102 ], [ %327, %322 ], [ false, %137 ]
+  %641 = zext i1 %640 to i64
+  ret i64 %641
 }
 
 
@@ -885,3 +939,4 @@ attributes #5 = { nounwind }
 !27 = distinct !{!27, !4, !5}
 !28 = distinct !{!28, !4, !5}
 !29 = distinct !{!29, !4, !5}
+!30 = distinct !{!30, !4, !5}

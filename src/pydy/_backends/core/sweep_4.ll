@@ -1,4 +1,4 @@
-; sources 66d0f7da5590b3e89a846a959ccf884ba825bb54af5226e02a333e6ac8017121
+; sources f91957c56a1cc6c68ce18e6f1945a67f321c563665fc42e092901554d9e4bf65
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define range(i64 0, 2) i64 @sweep_4(ptr noundef readonly %0, ptr noundef %1, ptr noundef %2, ptr noundef %3, ptr noundef readonly %4, ptr noundef %5, ptr noundef writeonly %6, ptr noundef %7) #0 {
@@ -19,7 +19,7 @@ define range(i64 0, 2) i64 @sweep_4(ptr noundef readonly %0, ptr noundef %1, ptr
   %23 = getelementptr inbounds i8, ptr %0, i64 128
   %24 = getelementptr inbounds i8, ptr %0, i64 136
   %25 = load i64, ptr %24, align 8
-  %26 = icmp eq i64 %25, 1
+  %26 = icmp ne i64 %25, 1
   %27 = ptrtoint ptr %7 to i64
   %28 = add i64 %27, 63
   %29 = and i64 %28, -64
@@ -42,7 +42,7 @@ define range(i64 0, 2) i64 @sweep_4(ptr noundef readonly %0, ptr noundef %1, ptr
   %46 = mul i64 %45, %41
   %47 = getelementptr inbounds i8, ptr %44, i64 %46
   %48 = icmp slt i64 %11, 1
-  br i1 %48, label %710, label %49
+  br i1 %48, label %757, label %49
 
 49:                                               ; preds = %8
   %50 = icmp sgt i64 %32, 0
@@ -210,7 +210,7 @@ define range(i64 0, 2) i64 @sweep_4(ptr noundef readonly %0, ptr noundef %1, ptr
 159:                                              ; preds = %162, %156
   %160 = add nuw nsw i64 %157, 1
   %161 = icmp eq i64 %160, %114
-  br i1 %161, label %710, label %156, !llvm.loop !12
+  br i1 %161, label %757, label %156, !llvm.loop !12
 
 162:                                              ; preds = %156, %162
   %163 = phi i64 [ %173, %162 ], [ 0, %156 ]
@@ -230,32 +230,34 @@ define range(i64 0, 2) i64 @sweep_4(ptr noundef readonly %0, ptr noundef %1, ptr
 
 175:                                              ; preds = %87
   %176 = getelementptr inbounds i8, ptr %0, i64 96
-  %177 = getelementptr inbounds i8, ptr %0, i64 104
-  %178 = load i64, ptr %177, align 8
-  %179 = icmp eq i64 %178, 1
-  %180 = select i1 %179, i1 true, i1 %26
-  %181 = xor i1 %22, true
-  %182 = select i1 %180, i1 true, i1 %181
-  %183 = xor i1 %180, true
-  br i1 %182, label %188, label %184
+  %177 = load i64, ptr %176, align 8
+  %178 = icmp eq i64 %177, 1
+  br i1 %178, label %179, label %186
 
-184:                                              ; preds = %175
-  %185 = getelementptr inbounds i8, ptr %0, i64 120
-  %186 = load i64, ptr %185, align 8
-  %187 = icmp ne i64 %186, 1
-  br label %188
+179:                                              ; preds = %175
+  %180 = load i64, ptr %23, align 8
+  %181 = icmp eq i64 %180, 1
+  %182 = select i1 %181, i1 %22, i1 false
+  br i1 %182, label %183, label %186
 
-188:                                              ; preds = %175, %184
-  %189 = phi i1 [ %183, %175 ], [ %187, %184 ]
-  %190 = getelementptr inbounds i8, ptr %0, i64 80
-  %191 = load i64, ptr %190, align 8
-  %192 = icmp sgt i64 %11, %191
-  br i1 %192, label %193, label %204
+183:                                              ; preds = %179
+  %184 = load i64, ptr %18, align 8
+  %185 = icmp eq i64 %184, 1
+  br label %186
 
-193:                                              ; preds = %188
+186:                                              ; preds = %179, %183, %175
+  %187 = phi i1 [ %181, %179 ], [ false, %175 ], [ %185, %183 ]
+  %188 = getelementptr inbounds i8, ptr %0, i64 80
+  %189 = load i64, ptr %188, align 8
+  %190 = icmp sgt i64 %11, %189
+  br i1 %190, label %191, label %204
+
+191:                                              ; preds = %186
+  %192 = getelementptr inbounds i8, ptr %0, i64 104
+  %193 = load i64, ptr %192, align 8
   %194 = add nsw i64 %15, %13
   %195 = add nsw i64 %194, %17
-  %196 = shl nsw i64 %178, 3
+  %196 = shl nsw i64 %193, 3
   %197 = sub nsw i64 0, %196
   %198 = and i64 %196, %197
   %199 = tail call i64 @llvm.smin.i64(i64 %198, i64 4096)
@@ -265,14 +267,14 @@ define range(i64 0, 2) i64 @sweep_4(ptr noundef readonly %0, ptr noundef %1, ptr
   %203 = icmp sge i64 %202, %195
   br label %204
 
-204:                                              ; preds = %193, %188
-  %205 = phi i1 [ true, %188 ], [ %203, %193 ]
+204:                                              ; preds = %191, %186
+  %205 = phi i1 [ true, %186 ], [ %203, %191 ]
   %206 = getelementptr inbounds i8, ptr %0, i64 16
   %207 = load ptr, ptr %206, align 8
   %208 = icmp ne ptr %207, null
-  %209 = select i1 %208, i1 %189, i1 false
+  %209 = select i1 %208, i1 %187, i1 false
   %210 = select i1 %209, i1 %205, i1 false
-  br i1 %210, label %211, label %273
+  br i1 %210, label %211, label %316
 
 211:                                              ; preds = %204
   %212 = select i1 %22, ptr %3, ptr %44
@@ -284,687 +286,745 @@ define range(i64 0, 2) i64 @sweep_4(ptr noundef readonly %0, ptr noundef %1, ptr
   %218 = load i64, ptr %18, align 8
   %219 = icmp eq i64 %218, 0
   %220 = select i1 %219, i64 0, i64 4
-  store i64 %178, ptr %9, align 16
-  %221 = getelementptr inbounds i8, ptr %9, i64 8
-  br i1 %219, label %225, label %222
+  %221 = getelementptr inbounds i8, ptr %0, i64 104
+  %222 = load i64, ptr %221, align 8
+  store i64 %222, ptr %9, align 16
+  %223 = getelementptr inbounds i8, ptr %9, i64 8
+  br i1 %219, label %227, label %224
 
-222:                                              ; preds = %211
-  %223 = getelementptr inbounds i8, ptr %0, i64 120
-  %224 = load i64, ptr %223, align 8
-  br label %225
+224:                                              ; preds = %211
+  %225 = getelementptr inbounds i8, ptr %0, i64 120
+  %226 = load i64, ptr %225, align 8
+  br label %227
 
-225:                                              ; preds = %222, %211
-  %226 = phi i64 [ %224, %222 ], [ 4, %211 ]
-  store i64 %226, ptr %221, align 8
-  %227 = getelementptr inbounds i8, ptr %9, i64 16
-  %228 = load i64, ptr %24, align 8
-  store i64 %228, ptr %227, align 16
-  %229 = getelementptr inbounds i8, ptr %9, i64 24
-  store i64 1, ptr %229, align 8
-  %230 = getelementptr inbounds i8, ptr %9, i64 32
-  store i64 %220, ptr %230, align 16
-  %231 = getelementptr i8, ptr %6, i64 -4
-  %232 = icmp sgt i64 %213, 0
-  br i1 %232, label %233, label %272
+227:                                              ; preds = %224, %211
+  %228 = phi i64 [ %226, %224 ], [ 4, %211 ]
+  store i64 %228, ptr %223, align 8
+  %229 = getelementptr inbounds i8, ptr %9, i64 16
+  %230 = load i64, ptr %24, align 8
+  store i64 %230, ptr %229, align 16
+  %231 = getelementptr inbounds i8, ptr %9, i64 24
+  store i64 1, ptr %231, align 8
+  %232 = getelementptr inbounds i8, ptr %9, i64 32
+  store i64 %220, ptr %232, align 16
+  %233 = getelementptr i8, ptr %6, i64 -4
+  %234 = icmp sgt i64 %213, 0
+  br i1 %234, label %235, label %303
 
-233:                                              ; preds = %225
-  %234 = icmp sgt i64 %213, 4
-  %235 = sub nuw nsw i64 4, %217
-  br label %236
+235:                                              ; preds = %227
+  %236 = icmp sgt i64 %213, 4
+  %237 = sub nuw nsw i64 4, %217
+  br label %238
 
-236:                                              ; preds = %233, %268
-  %237 = phi i64 [ 0, %233 ], [ %270, %268 ]
-  %238 = call i64 @llvm.smin.i64(i64 %237, i64 %214)
-  %239 = icmp eq i64 %237, 0
-  br i1 %239, label %243, label %240
+238:                                              ; preds = %235, %278
+  %239 = phi <4 x i64> [ zeroinitializer, %235 ], [ %279, %278 ]
+  %240 = phi i64 [ 0, %235 ], [ %281, %278 ]
+  %241 = call i64 @llvm.smin.i64(i64 %240, i64 %214)
+  %242 = icmp eq i64 %240, 0
+  br i1 %242, label %246, label %243
 
-240:                                              ; preds = %236
-  %241 = sub nsw i64 %213, %238
-  %242 = sdiv i64 %241, 4
-  store i64 %242, ptr %229, align 8
-  br label %243
+243:                                              ; preds = %238
+  %244 = sub nsw i64 %213, %241
+  %245 = sdiv i64 %244, 4
+  store i64 %245, ptr %231, align 8
+  br label %246
 
-243:                                              ; preds = %240, %236
-  %244 = load i64, ptr %18, align 8
-  %245 = icmp eq i64 %244, 0
-  %246 = select i1 %245, i64 0, i64 %238
-  %247 = getelementptr inbounds double, ptr %212, i64 %246
-  %248 = load ptr, ptr %206, align 8
-  %249 = getelementptr inbounds double, ptr %1, i64 %238
-  %250 = getelementptr inbounds double, ptr %2, i64 %238
-  %251 = getelementptr inbounds double, ptr %5, i64 %238
-  %252 = call i64 %248(ptr noundef %249, ptr noundef %250, ptr noundef %247, ptr noundef %34, ptr noundef %251, ptr noundef nonnull %9) #4
-  %253 = ashr i64 %252, 30
-  %254 = and i64 %253, -4
-  %255 = add nsw i64 %254, %238
-  %256 = shl i64 %252, 32
-  %257 = ashr exact i64 %256, 32
-  %258 = getelementptr i8, ptr %231, i64 %255
-  %259 = icmp eq i64 %256, 0
-  br i1 %259, label %268, label %260
+246:                                              ; preds = %243, %238
+  %247 = load i64, ptr %18, align 8
+  %248 = icmp eq i64 %247, 0
+  %249 = select i1 %248, i64 0, i64 %241
+  %250 = getelementptr inbounds double, ptr %212, i64 %249
+  %251 = load ptr, ptr %206, align 8
+  %252 = getelementptr inbounds double, ptr %1, i64 %241
+  %253 = getelementptr inbounds double, ptr %2, i64 %241
+  %254 = getelementptr inbounds double, ptr %5, i64 %241
+  %255 = call i64 %251(ptr noundef %252, ptr noundef %253, ptr noundef %250, ptr noundef %34, ptr noundef %254, ptr noundef nonnull %9) #4
+  %256 = ashr i64 %255, 32
+  %257 = shl nsw i64 %256, 2
+  %258 = add nsw i64 %257, %241
+  %259 = shl i64 %255, 32
+  %260 = ashr exact i64 %259, 32
+  %261 = getelementptr i8, ptr %233, i64 %258
+  %262 = icmp eq i64 %259, 0
+  br i1 %262, label %271, label %263
 
-260:                                              ; preds = %243, %260
-  %261 = phi i64 [ %266, %260 ], [ 0, %243 ]
-  %262 = lshr i64 %257, %261
-  %263 = trunc i64 %262 to i8
-  %264 = and i8 %263, 1
-  %265 = getelementptr inbounds i8, ptr %258, i64 %261
-  store i8 %264, ptr %265, align 1
-  %266 = add nuw nsw i64 %261, 1
-  %267 = icmp eq i64 %266, 4
-  br i1 %267, label %268, label %260, !llvm.loop !7
+263:                                              ; preds = %246, %263
+  %264 = phi i64 [ %269, %263 ], [ 0, %246 ]
+  %265 = lshr i64 %260, %264
+  %266 = trunc i64 %265 to i8
+  %267 = and i8 %266, 1
+  %268 = getelementptr inbounds i8, ptr %261, i64 %264
+  store i8 %267, ptr %268, align 1
+  %269 = add nuw nsw i64 %264, 1
+  %270 = icmp eq i64 %269, 4
+  br i1 %270, label %271, label %263, !llvm.loop !7
 
-268:                                              ; preds = %260, %243
-  %269 = select i1 %239, i1 %234, i1 false
-  %270 = select i1 %269, i64 %235, i64 %255
-  %271 = icmp slt i64 %270, %213
-  br i1 %271, label %236, label %272, !llvm.loop !14
+271:                                              ; preds = %263, %246
+  %272 = load i64, ptr %16, align 8
+  %273 = getelementptr double, ptr %5, i64 %241
+  %274 = icmp sgt i64 %272, 0
+  br i1 %274, label %275, label %278
 
-272:                                              ; preds = %268, %225
-  br label %710
+275:                                              ; preds = %271
+  %276 = load i64, ptr %24, align 8
+  %277 = icmp sgt i64 %256, 0
+  br label %283
 
-273:                                              ; preds = %204
-  %274 = select i1 %179, i1 %26, i1 false
-  %275 = select i1 %274, i1 %22, i1 false
-  br i1 %275, label %276, label %280
+278:                                              ; preds = %299, %271
+  %279 = phi <4 x i64> [ %239, %271 ], [ %300, %299 ]
+  %280 = select i1 %242, i1 %236, i1 false
+  %281 = select i1 %280, i64 %237, i64 %258
+  %282 = icmp slt i64 %281, %213
+  br i1 %282, label %238, label %303, !llvm.loop !14
 
-276:                                              ; preds = %273
-  %277 = getelementptr inbounds i8, ptr %0, i64 120
-  %278 = load i64, ptr %277, align 8
-  %279 = icmp eq i64 %278, 1
-  br label %280
+283:                                              ; preds = %275, %299
+  %284 = phi i64 [ 0, %275 ], [ %301, %299 ]
+  %285 = phi <4 x i64> [ %239, %275 ], [ %300, %299 ]
+  %286 = mul nsw i64 %276, %284
+  %287 = getelementptr double, ptr %273, i64 %286
+  br i1 %277, label %288, label %299
 
-280:                                              ; preds = %273, %276
-  %281 = phi i1 [ %274, %273 ], [ %279, %276 ]
-  br i1 %281, label %284, label %282
+288:                                              ; preds = %283, %288
+  %289 = phi <4 x i64> [ %296, %288 ], [ %285, %283 ]
+  %290 = phi i64 [ %297, %288 ], [ 0, %283 ]
+  %291 = shl nsw i64 %290, 5
+  %292 = getelementptr inbounds i8, ptr %287, i64 %291
+  %293 = load <4 x double>, ptr %292, align 8
+  %294 = fsub <4 x double> %293, %293
+  %295 = bitcast <4 x double> %294 to <4 x i64>
+  %296 = or <4 x i64> %289, %295
+  %297 = add nuw nsw i64 %290, 1
+  %298 = icmp eq i64 %297, %256
+  br i1 %298, label %299, label %288, !llvm.loop !15
 
-282:                                              ; preds = %280
-  %283 = load i64, ptr %40, align 8
-  br label %284
+299:                                              ; preds = %288, %283
+  %300 = phi <4 x i64> [ %285, %283 ], [ %296, %288 ]
+  %301 = add nuw nsw i64 %284, 1
+  %302 = icmp eq i64 %301, %272
+  br i1 %302, label %278, label %283, !llvm.loop !16
 
-284:                                              ; preds = %282, %280
-  %285 = phi i64 [ %283, %282 ], [ 1, %280 ]
-  %286 = add nsw i64 %11, -4
-  %287 = icmp sgt i64 %13, 0
-  %288 = shl i64 %13, 5
-  %289 = icmp sgt i64 %13, 3
-  %290 = add nsw i64 %13, -4
-  %291 = getelementptr inbounds i8, ptr %0, i64 120
-  %292 = icmp sgt i64 %15, 0
-  %293 = shl i64 %15, 5
-  %294 = icmp sgt i64 %15, 3
-  %295 = add nsw i64 %15, -4
-  %296 = shl i64 %15, 5
-  %297 = shl i64 %17, 5
-  %298 = icmp slt i64 %13, 257
-  %299 = icmp sgt i64 %13, 0
-  %300 = icmp slt i64 %17, 257
-  %301 = icmp sgt i64 %17, 0
-  %302 = shl i64 %13, 5
-  %303 = icmp sgt i64 %17, 0
-  %304 = icmp sgt i64 %17, 3
-  %305 = add nsw i64 %17, -4
-  %306 = icmp sgt i64 %17, 0
-  %307 = getelementptr i8, ptr %47, i64 32
-  %308 = getelementptr i8, ptr %47, i64 64
-  %309 = getelementptr i8, ptr %47, i64 96
-  br label %310
+303:                                              ; preds = %278, %227
+  %304 = phi <4 x i64> [ zeroinitializer, %227 ], [ %279, %278 ]
+  %305 = extractelement <4 x i64> %304, i64 0
+  %306 = icmp eq i64 %305, 0
+  %307 = extractelement <4 x i64> %304, i64 1
+  %308 = icmp eq i64 %307, 0
+  %309 = extractelement <4 x i64> %304, i64 2
+  %310 = icmp eq i64 %309, 0
+  %311 = extractelement <4 x i64> %304, i64 3
+  %312 = icmp eq i64 %311, 0
+  %313 = select i1 %312, i1 %310, i1 false
+  %314 = select i1 %313, i1 %308, i1 false
+  %315 = select i1 %314, i1 %306, i1 false
+  br label %757
 
-310:                                              ; preds = %284, %693
-  %311 = phi i64 [ 0, %284 ], [ %695, %693 ]
-  %312 = phi <4 x i64> [ zeroinitializer, %284 ], [ %522, %693 ]
-  %313 = sub nsw i64 %11, %311
-  %314 = sdiv i64 %313, 4
-  %315 = tail call i64 @llvm.smin.i64(i64 %285, i64 %314)
-  %316 = icmp eq i64 %315, 0
-  %317 = select i1 %316, i64 %286, i64 %311
-  %318 = tail call i64 @llvm.umax.i64(i64 %315, i64 1)
-  %319 = load i64, ptr %176, align 8
-  %320 = mul nsw i64 %319, %317
-  %321 = getelementptr inbounds double, ptr %2, i64 %320
-  %322 = load i64, ptr %177, align 8
-  %323 = icmp eq i64 %322, 1
-  br i1 %323, label %327, label %324
+316:                                              ; preds = %204
+  %317 = getelementptr inbounds i8, ptr %0, i64 104
+  %318 = load i64, ptr %317, align 8
+  %319 = icmp ne i64 %318, 1
+  %320 = select i1 %319, i1 true, i1 %26
+  %321 = xor i1 %22, true
+  %322 = select i1 %320, i1 true, i1 %321
+  %323 = xor i1 %320, true
+  br i1 %322, label %328, label %324
 
-324:                                              ; preds = %310
-  br i1 %287, label %325, label %418
+324:                                              ; preds = %316
+  %325 = getelementptr inbounds i8, ptr %0, i64 120
+  %326 = load i64, ptr %325, align 8
+  %327 = icmp eq i64 %326, 1
+  br label %328
 
-325:                                              ; preds = %324
-  %326 = icmp sgt i64 %318, 0
-  br label %399
+328:                                              ; preds = %316, %324
+  %329 = phi i1 [ %323, %316 ], [ %327, %324 ]
+  br i1 %329, label %332, label %330
 
-327:                                              ; preds = %310
-  %328 = icmp sgt i64 %318, 0
-  br i1 %328, label %329, label %418
+330:                                              ; preds = %328
+  %331 = load i64, ptr %40, align 8
+  br label %332
 
-329:                                              ; preds = %327
-  %330 = shl i64 %319, 2
-  %331 = shl i64 %319, 4
-  %332 = mul i64 %319, 24
-  %333 = shl i64 %319, 4
-  %334 = mul i64 %319, 24
-  br label %335
+332:                                              ; preds = %330, %328
+  %333 = phi i64 [ %331, %330 ], [ 1, %328 ]
+  %334 = add nsw i64 %11, -4
+  %335 = icmp sgt i64 %13, 0
+  %336 = shl i64 %13, 5
+  %337 = icmp sgt i64 %13, 3
+  %338 = add nsw i64 %13, -4
+  %339 = getelementptr inbounds i8, ptr %0, i64 120
+  %340 = icmp sgt i64 %15, 0
+  %341 = shl i64 %15, 5
+  %342 = icmp sgt i64 %15, 3
+  %343 = add nsw i64 %15, -4
+  %344 = shl i64 %15, 5
+  %345 = shl i64 %17, 5
+  %346 = icmp slt i64 %13, 257
+  %347 = icmp sgt i64 %13, 0
+  %348 = icmp slt i64 %17, 257
+  %349 = icmp sgt i64 %17, 0
+  %350 = shl i64 %13, 5
+  %351 = icmp sgt i64 %17, 0
+  %352 = icmp sgt i64 %17, 3
+  %353 = add nsw i64 %17, -4
+  %354 = icmp sgt i64 %17, 0
+  %355 = getelementptr i8, ptr %47, i64 32
+  %356 = getelementptr i8, ptr %47, i64 64
+  %357 = getelementptr i8, ptr %47, i64 96
+  br label %370
 
-335:                                              ; preds = %329, %396
-  %336 = phi i64 [ 0, %329 ], [ %397, %396 ]
-  %337 = mul i64 %330, %336
-  %338 = getelementptr inbounds double, ptr %321, i64 %337
-  %339 = mul i64 %288, %336
-  %340 = getelementptr inbounds i8, ptr %39, i64 %339
-  br i1 %289, label %341, label %345
+358:                                              ; preds = %753
+  %359 = extractelement <4 x i64> %582, i64 0
+  %360 = icmp eq i64 %359, 0
+  %361 = extractelement <4 x i64> %582, i64 1
+  %362 = icmp eq i64 %361, 0
+  %363 = extractelement <4 x i64> %582, i64 2
+  %364 = icmp eq i64 %363, 0
+  %365 = extractelement <4 x i64> %582, i64 3
+  %366 = icmp eq i64 %365, 0
+  %367 = select i1 %366, i1 %364, i1 false
+  %368 = select i1 %367, i1 %362, i1 false
+  %369 = select i1 %368, i1 %360, i1 false
+  br label %757
 
-341:                                              ; preds = %335
-  %342 = getelementptr i8, ptr %340, i64 32
-  %343 = getelementptr i8, ptr %340, i64 64
-  %344 = getelementptr i8, ptr %340, i64 96
-  br label %348
+370:                                              ; preds = %332, %753
+  %371 = phi i64 [ 0, %332 ], [ %755, %753 ]
+  %372 = phi <4 x i64> [ zeroinitializer, %332 ], [ %582, %753 ]
+  %373 = sub nsw i64 %11, %371
+  %374 = sdiv i64 %373, 4
+  %375 = tail call i64 @llvm.smin.i64(i64 %333, i64 %374)
+  %376 = icmp eq i64 %375, 0
+  %377 = select i1 %376, i64 %334, i64 %371
+  %378 = tail call i64 @llvm.umax.i64(i64 %375, i64 1)
+  %379 = load i64, ptr %176, align 8
+  %380 = mul nsw i64 %379, %377
+  %381 = getelementptr inbounds double, ptr %2, i64 %380
+  %382 = load i64, ptr %317, align 8
+  %383 = icmp eq i64 %382, 1
+  br i1 %383, label %387, label %384
 
-345:                                              ; preds = %348, %335
-  %346 = phi i64 [ 0, %335 ], [ %375, %348 ]
-  %347 = icmp slt i64 %346, %13
-  br i1 %347, label %378, label %396
+384:                                              ; preds = %370
+  br i1 %335, label %385, label %478
 
-348:                                              ; preds = %341, %348
-  %349 = phi i64 [ %375, %348 ], [ 0, %341 ]
-  %350 = tail call i64 @llvm.smin.i64(i64 %349, i64 %290)
-  %351 = getelementptr double, ptr %338, i64 %350
-  %352 = load <4 x double>, ptr %351, align 8
-  %353 = getelementptr double, ptr %351, i64 %319
-  %354 = load <4 x double>, ptr %353, align 8
-  %355 = shufflevector <4 x double> %352, <4 x double> %354, <4 x i32> <i32 1, i32 5, i32 3, i32 7>
-  %356 = getelementptr i8, ptr %351, i64 %331
-  %357 = load <4 x double>, ptr %356, align 8
-  %358 = getelementptr i8, ptr %351, i64 %332
-  %359 = load <4 x double>, ptr %358, align 8
-  %360 = shufflevector <4 x double> %357, <4 x double> %359, <4 x i32> <i32 1, i32 5, i32 3, i32 7>
-  %361 = shufflevector <4 x double> %355, <4 x double> %360, <4 x i32> <i32 2, i32 3, i32 6, i32 7>
-  %362 = shufflevector <4 x double> %352, <4 x double> %354, <4 x i32> <i32 0, i32 4, i32 2, i32 6>
-  %363 = shufflevector <4 x double> %357, <4 x double> %359, <4 x i32> <i32 0, i32 4, i32 2, i32 6>
-  %364 = shufflevector <4 x double> %362, <4 x double> %363, <4 x i32> <i32 2, i32 3, i32 6, i32 7>
-  %365 = shufflevector <4 x double> %355, <4 x double> %360, <4 x i32> <i32 0, i32 1, i32 4, i32 5>
-  %366 = shufflevector <4 x double> %362, <4 x double> %363, <4 x i32> <i32 0, i32 1, i32 4, i32 5>
-  %367 = shl nsw i64 %350, 5
-  %368 = getelementptr inbounds i8, ptr %340, i64 %367
-  store <4 x double> %366, ptr %368, align 8
-  %369 = shl i64 %350, 5
-  %370 = getelementptr i8, ptr %342, i64 %369
-  store <4 x double> %365, ptr %370, align 8
-  %371 = shl i64 %350, 5
-  %372 = getelementptr i8, ptr %343, i64 %371
-  store <4 x double> %364, ptr %372, align 8
-  %373 = shl i64 %350, 5
-  %374 = getelementptr i8, ptr %344, i64 %373
-  store <4 x double> %361, ptr %374, align 8
-  %375 = add nsw i64 %350, 4
-  %376 = icmp slt i64 %375, %13
-  %377 = select i1 %289, i1 %376, i1 false
-  br i1 %377, label %348, label %345, !llvm.loop !15
+385:                                              ; preds = %384
+  %386 = icmp sgt i64 %378, 0
+  br label %459
 
-378:                                              ; preds = %345, %378
-  %379 = phi i64 [ %394, %378 ], [ %346, %345 ]
-  %380 = getelementptr double, ptr %338, i64 %379
-  %381 = load double, ptr %380, align 8
-  %382 = insertelement <4 x double> poison, double %381, i64 0
-  %383 = getelementptr double, ptr %380, i64 %319
-  %384 = load double, ptr %383, align 8
-  %385 = insertelement <4 x double> %382, double %384, i64 1
-  %386 = getelementptr i8, ptr %380, i64 %333
-  %387 = load double, ptr %386, align 8
-  %388 = insertelement <4 x double> %385, double %387, i64 2
-  %389 = getelementptr i8, ptr %380, i64 %334
-  %390 = load double, ptr %389, align 8
-  %391 = insertelement <4 x double> %388, double %390, i64 3
-  %392 = shl nsw i64 %379, 5
-  %393 = getelementptr inbounds i8, ptr %340, i64 %392
-  store <4 x double> %391, ptr %393, align 8
-  %394 = add nsw i64 %379, 1
-  %395 = icmp eq i64 %394, %13
-  br i1 %395, label %396, label %378, !llvm.loop !16
+387:                                              ; preds = %370
+  %388 = icmp sgt i64 %378, 0
+  br i1 %388, label %389, label %478
 
-396:                                              ; preds = %378, %345
-  %397 = add nuw nsw i64 %336, 1
-  %398 = icmp eq i64 %397, %318
-  br i1 %398, label %418, label %335, !llvm.loop !17
+389:                                              ; preds = %387
+  %390 = shl i64 %379, 2
+  %391 = shl i64 %379, 4
+  %392 = mul i64 %379, 24
+  %393 = shl i64 %379, 4
+  %394 = mul i64 %379, 24
+  br label %395
 
-399:                                              ; preds = %325, %404
-  %400 = phi i64 [ 0, %325 ], [ %405, %404 ]
-  br i1 %326, label %401, label %404
+395:                                              ; preds = %389, %456
+  %396 = phi i64 [ 0, %389 ], [ %457, %456 ]
+  %397 = mul i64 %390, %396
+  %398 = getelementptr inbounds double, ptr %381, i64 %397
+  %399 = mul i64 %336, %396
+  %400 = getelementptr inbounds i8, ptr %39, i64 %399
+  br i1 %337, label %401, label %405
 
-401:                                              ; preds = %399
-  %402 = mul nsw i64 %400, %322
-  %403 = getelementptr inbounds double, ptr %321, i64 %402
-  br label %407
+401:                                              ; preds = %395
+  %402 = getelementptr i8, ptr %400, i64 32
+  %403 = getelementptr i8, ptr %400, i64 64
+  %404 = getelementptr i8, ptr %400, i64 96
+  br label %408
 
-404:                                              ; preds = %407, %399
-  %405 = add nuw nsw i64 %400, 1
-  %406 = icmp eq i64 %405, %13
-  br i1 %406, label %418, label %399, !llvm.loop !18
+405:                                              ; preds = %408, %395
+  %406 = phi i64 [ 0, %395 ], [ %435, %408 ]
+  %407 = icmp slt i64 %406, %13
+  br i1 %407, label %438, label %456
 
-407:                                              ; preds = %401, %407
-  %408 = phi i64 [ 0, %401 ], [ %416, %407 ]
-  %409 = shl nsw i64 %408, 5
-  %410 = getelementptr inbounds i8, ptr %403, i64 %409
-  %411 = load <4 x double>, ptr %410, align 8
-  %412 = mul nuw nsw i64 %408, %13
-  %413 = add nuw nsw i64 %412, %400
-  %414 = shl nsw i64 %413, 5
-  %415 = getelementptr inbounds i8, ptr %39, i64 %414
-  store <4 x double> %411, ptr %415, align 32
-  %416 = add nuw nsw i64 %408, 1
-  %417 = icmp eq i64 %416, %318
-  br i1 %417, label %404, label %407, !llvm.loop !19
+408:                                              ; preds = %401, %408
+  %409 = phi i64 [ %435, %408 ], [ 0, %401 ]
+  %410 = tail call i64 @llvm.smin.i64(i64 %409, i64 %338)
+  %411 = getelementptr double, ptr %398, i64 %410
+  %412 = load <4 x double>, ptr %411, align 8
+  %413 = getelementptr double, ptr %411, i64 %379
+  %414 = load <4 x double>, ptr %413, align 8
+  %415 = shufflevector <4 x double> %412, <4 x double> %414, <4 x i32> <i32 1, i32 5, i32 3, i32 7>
+  %416 = getelementptr i8, ptr %411, i64 %391
+  %417 = load <4 x double>, ptr %416, align 8
+  %418 = getelementptr i8, ptr %411, i64 %392
+  %419 = load <4 x double>, ptr %418, align 8
+  %420 = shufflevector <4 x double> %417, <4 x double> %419, <4 x i32> <i32 1, i32 5, i32 3, i32 7>
+  %421 = shufflevector <4 x double> %415, <4 x double> %420, <4 x i32> <i32 2, i32 3, i32 6, i32 7>
+  %422 = shufflevector <4 x double> %412, <4 x double> %414, <4 x i32> <i32 0, i32 4, i32 2, i32 6>
+  %423 = shufflevector <4 x double> %417, <4 x double> %419, <4 x i32> <i32 0, i32 4, i32 2, i32 6>
+  %424 = shufflevector <4 x double> %422, <4 x double> %423, <4 x i32> <i32 2, i32 3, i32 6, i32 7>
+  %425 = shufflevector <4 x double> %415, <4 x double> %420, <4 x i32> <i32 0, i32 1, i32 4, i32 5>
+  %426 = shufflevector <4 x double> %422, <4 x double> %423, <4 x i32> <i32 0, i32 1, i32 4, i32 5>
+  %427 = shl nsw i64 %410, 5
+  %428 = getelementptr inbounds i8, ptr %400, i64 %427
+  store <4 x double> %426, ptr %428, align 8
+  %429 = shl i64 %410, 5
+  %430 = getelementptr i8, ptr %402, i64 %429
+  store <4 x double> %425, ptr %430, align 8
+  %431 = shl i64 %410, 5
+  %432 = getelementptr i8, ptr %403, i64 %431
+  store <4 x double> %424, ptr %432, align 8
+  %433 = shl i64 %410, 5
+  %434 = getelementptr i8, ptr %404, i64 %433
+  store <4 x double> %421, ptr %434, align 8
+  %435 = add nsw i64 %410, 4
+  %436 = icmp slt i64 %435, %13
+  %437 = select i1 %337, i1 %436, i1 false
+  br i1 %437, label %408, label %405, !llvm.loop !17
 
-418:                                              ; preds = %404, %396, %324, %327
-  br i1 %22, label %419, label %519
+438:                                              ; preds = %405, %438
+  %439 = phi i64 [ %454, %438 ], [ %406, %405 ]
+  %440 = getelementptr double, ptr %398, i64 %439
+  %441 = load double, ptr %440, align 8
+  %442 = insertelement <4 x double> poison, double %441, i64 0
+  %443 = getelementptr double, ptr %440, i64 %379
+  %444 = load double, ptr %443, align 8
+  %445 = insertelement <4 x double> %442, double %444, i64 1
+  %446 = getelementptr i8, ptr %440, i64 %393
+  %447 = load double, ptr %446, align 8
+  %448 = insertelement <4 x double> %445, double %447, i64 2
+  %449 = getelementptr i8, ptr %440, i64 %394
+  %450 = load double, ptr %449, align 8
+  %451 = insertelement <4 x double> %448, double %450, i64 3
+  %452 = shl nsw i64 %439, 5
+  %453 = getelementptr inbounds i8, ptr %400, i64 %452
+  store <4 x double> %451, ptr %453, align 8
+  %454 = add nsw i64 %439, 1
+  %455 = icmp eq i64 %454, %13
+  br i1 %455, label %456, label %438, !llvm.loop !18
 
-419:                                              ; preds = %418
-  %420 = load i64, ptr %18, align 8
-  %421 = mul nsw i64 %420, %317
-  %422 = getelementptr inbounds double, ptr %3, i64 %421
-  %423 = load i64, ptr %291, align 8
-  %424 = icmp eq i64 %423, 1
-  br i1 %424, label %428, label %425
+456:                                              ; preds = %438, %405
+  %457 = add nuw nsw i64 %396, 1
+  %458 = icmp eq i64 %457, %378
+  br i1 %458, label %478, label %395, !llvm.loop !19
 
-425:                                              ; preds = %419
-  br i1 %292, label %426, label %519
+459:                                              ; preds = %385, %464
+  %460 = phi i64 [ 0, %385 ], [ %465, %464 ]
+  br i1 %386, label %461, label %464
 
-426:                                              ; preds = %425
-  %427 = icmp sgt i64 %318, 0
-  br label %500
+461:                                              ; preds = %459
+  %462 = mul nsw i64 %460, %382
+  %463 = getelementptr inbounds double, ptr %381, i64 %462
+  br label %467
 
-428:                                              ; preds = %419
-  %429 = icmp sgt i64 %318, 0
-  br i1 %429, label %430, label %519
+464:                                              ; preds = %467, %459
+  %465 = add nuw nsw i64 %460, 1
+  %466 = icmp eq i64 %465, %13
+  br i1 %466, label %478, label %459, !llvm.loop !20
 
-430:                                              ; preds = %428
-  %431 = shl i64 %420, 2
-  %432 = shl i64 %420, 4
-  %433 = mul i64 %420, 24
-  %434 = shl i64 %420, 4
-  %435 = mul i64 %420, 24
-  br label %436
+467:                                              ; preds = %461, %467
+  %468 = phi i64 [ 0, %461 ], [ %476, %467 ]
+  %469 = shl nsw i64 %468, 5
+  %470 = getelementptr inbounds i8, ptr %463, i64 %469
+  %471 = load <4 x double>, ptr %470, align 8
+  %472 = mul nuw nsw i64 %468, %13
+  %473 = add nuw nsw i64 %472, %460
+  %474 = shl nsw i64 %473, 5
+  %475 = getelementptr inbounds i8, ptr %39, i64 %474
+  store <4 x double> %471, ptr %475, align 32
+  %476 = add nuw nsw i64 %468, 1
+  %477 = icmp eq i64 %476, %378
+  br i1 %477, label %464, label %467, !llvm.loop !21
 
-436:                                              ; preds = %430, %497
-  %437 = phi i64 [ 0, %430 ], [ %498, %497 ]
-  %438 = mul i64 %431, %437
-  %439 = getelementptr inbounds double, ptr %422, i64 %438
-  %440 = mul i64 %293, %437
-  %441 = getelementptr inbounds i8, ptr %44, i64 %440
-  br i1 %294, label %442, label %446
+478:                                              ; preds = %464, %456, %384, %387
+  br i1 %22, label %479, label %579
 
-442:                                              ; preds = %436
-  %443 = getelementptr i8, ptr %441, i64 32
-  %444 = getelementptr i8, ptr %441, i64 64
-  %445 = getelementptr i8, ptr %441, i64 96
-  br label %449
+479:                                              ; preds = %478
+  %480 = load i64, ptr %18, align 8
+  %481 = mul nsw i64 %480, %377
+  %482 = getelementptr inbounds double, ptr %3, i64 %481
+  %483 = load i64, ptr %339, align 8
+  %484 = icmp eq i64 %483, 1
+  br i1 %484, label %488, label %485
 
-446:                                              ; preds = %449, %436
-  %447 = phi i64 [ 0, %436 ], [ %476, %449 ]
-  %448 = icmp slt i64 %447, %15
-  br i1 %448, label %479, label %497
+485:                                              ; preds = %479
+  br i1 %340, label %486, label %579
 
-449:                                              ; preds = %442, %449
-  %450 = phi i64 [ %476, %449 ], [ 0, %442 ]
-  %451 = tail call i64 @llvm.smin.i64(i64 %450, i64 %295)
-  %452 = getelementptr double, ptr %439, i64 %451
-  %453 = load <4 x double>, ptr %452, align 8
-  %454 = getelementptr double, ptr %452, i64 %420
-  %455 = load <4 x double>, ptr %454, align 8
-  %456 = shufflevector <4 x double> %453, <4 x double> %455, <4 x i32> <i32 1, i32 5, i32 3, i32 7>
-  %457 = getelementptr i8, ptr %452, i64 %432
-  %458 = load <4 x double>, ptr %457, align 8
-  %459 = getelementptr i8, ptr %452, i64 %433
-  %460 = load <4 x double>, ptr %459, align 8
-  %461 = shufflevector <4 x double> %458, <4 x double> %460, <4 x i32> <i32 1, i32 5, i32 3, i32 7>
-  %462 = shufflevector <4 x double> %456, <4 x double> %461, <4 x i32> <i32 2, i32 3, i32 6, i32 7>
-  %463 = shufflevector <4 x double> %453, <4 x double> %455, <4 x i32> <i32 0, i32 4, i32 2, i32 6>
-  %464 = shufflevector <4 x double> %458, <4 x double> %460, <4 x i32> <i32 0, i32 4, i32 2, i32 6>
-  %465 = shufflevector <4 x double> %463, <4 x double> %464, <4 x i32> <i32 2, i32 3, i32 6, i32 7>
-  %466 = shufflevector <4 x double> %456, <4 x double> %461, <4 x i32> <i32 0, i32 1, i32 4, i32 5>
-  %467 = shufflevector <4 x double> %463, <4 x double> %464, <4 x i32> <i32 0, i32 1, i32 4, i32 5>
-  %468 = shl nsw i64 %451, 5
-  %469 = getelementptr inbounds i8, ptr %441, i64 %468
-  store <4 x double> %467, ptr %469, align 8
-  %470 = shl i64 %451, 5
-  %471 = getelementptr i8, ptr %443, i64 %470
-  store <4 x double> %466, ptr %471, align 8
-  %472 = shl i64 %451, 5
-  %473 = getelementptr i8, ptr %444, i64 %472
-  store <4 x double> %465, ptr %473, align 8
-  %474 = shl i64 %451, 5
-  %475 = getelementptr i8, ptr %445, i64 %474
-  store <4 x double> %462, ptr %475, align 8
-  %476 = add nsw i64 %451, 4
-  %477 = icmp slt i64 %476, %15
-  %478 = select i1 %294, i1 %477, i1 false
-  br i1 %478, label %449, label %446, !llvm.loop !15
+486:                                              ; preds = %485
+  %487 = icmp sgt i64 %378, 0
+  br label %560
 
-479:                                              ; preds = %446, %479
-  %480 = phi i64 [ %495, %479 ], [ %447, %446 ]
-  %481 = getelementptr double, ptr %439, i64 %480
-  %482 = load double, ptr %481, align 8
-  %483 = insertelement <4 x double> poison, double %482, i64 0
-  %484 = getelementptr double, ptr %481, i64 %420
-  %485 = load double, ptr %484, align 8
-  %486 = insertelement <4 x double> %483, double %485, i64 1
-  %487 = getelementptr i8, ptr %481, i64 %434
-  %488 = load double, ptr %487, align 8
-  %489 = insertelement <4 x double> %486, double %488, i64 2
-  %490 = getelementptr i8, ptr %481, i64 %435
-  %491 = load double, ptr %490, align 8
-  %492 = insertelement <4 x double> %489, double %491, i64 3
-  %493 = shl nsw i64 %480, 5
-  %494 = getelementptr inbounds i8, ptr %441, i64 %493
-  store <4 x double> %492, ptr %494, align 8
-  %495 = add nsw i64 %480, 1
-  %496 = icmp eq i64 %495, %15
-  br i1 %496, label %497, label %479, !llvm.loop !16
+488:                                              ; preds = %479
+  %489 = icmp sgt i64 %378, 0
+  br i1 %489, label %490, label %579
 
-497:                                              ; preds = %479, %446
-  %498 = add nuw nsw i64 %437, 1
-  %499 = icmp eq i64 %498, %318
-  br i1 %499, label %519, label %436, !llvm.loop !17
+490:                                              ; preds = %488
+  %491 = shl i64 %480, 2
+  %492 = shl i64 %480, 4
+  %493 = mul i64 %480, 24
+  %494 = shl i64 %480, 4
+  %495 = mul i64 %480, 24
+  br label %496
 
-500:                                              ; preds = %426, %505
-  %501 = phi i64 [ 0, %426 ], [ %506, %505 ]
-  br i1 %427, label %502, label %505
+496:                                              ; preds = %490, %557
+  %497 = phi i64 [ 0, %490 ], [ %558, %557 ]
+  %498 = mul i64 %491, %497
+  %499 = getelementptr inbounds double, ptr %482, i64 %498
+  %500 = mul i64 %341, %497
+  %501 = getelementptr inbounds i8, ptr %44, i64 %500
+  br i1 %342, label %502, label %506
 
-502:                                              ; preds = %500
-  %503 = mul nsw i64 %501, %423
-  %504 = getelementptr inbounds double, ptr %422, i64 %503
-  br label %508
+502:                                              ; preds = %496
+  %503 = getelementptr i8, ptr %501, i64 32
+  %504 = getelementptr i8, ptr %501, i64 64
+  %505 = getelementptr i8, ptr %501, i64 96
+  br label %509
 
-505:                                              ; preds = %508, %500
-  %506 = add nuw nsw i64 %501, 1
-  %507 = icmp eq i64 %506, %15
-  br i1 %507, label %519, label %500, !llvm.loop !18
+506:                                              ; preds = %509, %496
+  %507 = phi i64 [ 0, %496 ], [ %536, %509 ]
+  %508 = icmp slt i64 %507, %15
+  br i1 %508, label %539, label %557
 
-508:                                              ; preds = %502, %508
-  %509 = phi i64 [ 0, %502 ], [ %517, %508 ]
-  %510 = shl nsw i64 %509, 5
-  %511 = getelementptr inbounds i8, ptr %504, i64 %510
-  %512 = load <4 x double>, ptr %511, align 8
-  %513 = mul nuw nsw i64 %509, %15
-  %514 = add nuw nsw i64 %513, %501
-  %515 = shl nsw i64 %514, 5
-  %516 = getelementptr inbounds i8, ptr %44, i64 %515
-  store <4 x double> %512, ptr %516, align 8
-  %517 = add nuw nsw i64 %509, 1
-  %518 = icmp eq i64 %517, %318
-  br i1 %518, label %505, label %508, !llvm.loop !19
+509:                                              ; preds = %502, %509
+  %510 = phi i64 [ %536, %509 ], [ 0, %502 ]
+  %511 = tail call i64 @llvm.smin.i64(i64 %510, i64 %343)
+  %512 = getelementptr double, ptr %499, i64 %511
+  %513 = load <4 x double>, ptr %512, align 8
+  %514 = getelementptr double, ptr %512, i64 %480
+  %515 = load <4 x double>, ptr %514, align 8
+  %516 = shufflevector <4 x double> %513, <4 x double> %515, <4 x i32> <i32 1, i32 5, i32 3, i32 7>
+  %517 = getelementptr i8, ptr %512, i64 %492
+  %518 = load <4 x double>, ptr %517, align 8
+  %519 = getelementptr i8, ptr %512, i64 %493
+  %520 = load <4 x double>, ptr %519, align 8
+  %521 = shufflevector <4 x double> %518, <4 x double> %520, <4 x i32> <i32 1, i32 5, i32 3, i32 7>
+  %522 = shufflevector <4 x double> %516, <4 x double> %521, <4 x i32> <i32 2, i32 3, i32 6, i32 7>
+  %523 = shufflevector <4 x double> %513, <4 x double> %515, <4 x i32> <i32 0, i32 4, i32 2, i32 6>
+  %524 = shufflevector <4 x double> %518, <4 x double> %520, <4 x i32> <i32 0, i32 4, i32 2, i32 6>
+  %525 = shufflevector <4 x double> %523, <4 x double> %524, <4 x i32> <i32 2, i32 3, i32 6, i32 7>
+  %526 = shufflevector <4 x double> %516, <4 x double> %521, <4 x i32> <i32 0, i32 1, i32 4, i32 5>
+  %527 = shufflevector <4 x double> %523, <4 x double> %524, <4 x i32> <i32 0, i32 1, i32 4, i32 5>
+  %528 = shl nsw i64 %511, 5
+  %529 = getelementptr inbounds i8, ptr %501, i64 %528
+  store <4 x double> %527, ptr %529, align 8
+  %530 = shl i64 %511, 5
+  %531 = getelementptr i8, ptr %503, i64 %530
+  store <4 x double> %526, ptr %531, align 8
+  %532 = shl i64 %511, 5
+  %533 = getelementptr i8, ptr %504, i64 %532
+  store <4 x double> %525, ptr %533, align 8
+  %534 = shl i64 %511, 5
+  %535 = getelementptr i8, ptr %505, i64 %534
+  store <4 x double> %522, ptr %535, align 8
+  %536 = add nsw i64 %511, 4
+  %537 = icmp slt i64 %536, %15
+  %538 = select i1 %342, i1 %537, i1 false
+  br i1 %538, label %509, label %506, !llvm.loop !17
 
-519:                                              ; preds = %505, %497, %425, %428, %418
-  %520 = icmp sgt i64 %318, 0
-  br i1 %520, label %523, label %521
+539:                                              ; preds = %506, %539
+  %540 = phi i64 [ %555, %539 ], [ %507, %506 ]
+  %541 = getelementptr double, ptr %499, i64 %540
+  %542 = load double, ptr %541, align 8
+  %543 = insertelement <4 x double> poison, double %542, i64 0
+  %544 = getelementptr double, ptr %541, i64 %480
+  %545 = load double, ptr %544, align 8
+  %546 = insertelement <4 x double> %543, double %545, i64 1
+  %547 = getelementptr i8, ptr %541, i64 %494
+  %548 = load double, ptr %547, align 8
+  %549 = insertelement <4 x double> %546, double %548, i64 2
+  %550 = getelementptr i8, ptr %541, i64 %495
+  %551 = load double, ptr %550, align 8
+  %552 = insertelement <4 x double> %549, double %551, i64 3
+  %553 = shl nsw i64 %540, 5
+  %554 = getelementptr inbounds i8, ptr %501, i64 %553
+  store <4 x double> %552, ptr %554, align 8
+  %555 = add nsw i64 %540, 1
+  %556 = icmp eq i64 %555, %15
+  br i1 %556, label %557, label %539, !llvm.loop !18
 
-521:                                              ; preds = %666, %519
-  %522 = phi <4 x i64> [ %312, %519 ], [ %607, %666 ]
-  br i1 %26, label %693, label %669
+557:                                              ; preds = %539, %506
+  %558 = add nuw nsw i64 %497, 1
+  %559 = icmp eq i64 %558, %378
+  br i1 %559, label %579, label %496, !llvm.loop !19
 
-523:                                              ; preds = %519, %666
-  %524 = phi i64 [ %667, %666 ], [ 0, %519 ]
-  %525 = phi <4 x i64> [ %607, %666 ], [ %312, %519 ]
-  %526 = shl nsw i64 %524, 2
-  %527 = add nsw i64 %526, %317
-  %528 = mul i64 %296, %524
-  %529 = select i1 %20, i64 %528, i64 0
-  %530 = getelementptr inbounds i8, ptr %44, i64 %529
-  %531 = mul i64 %297, %524
-  %532 = select i1 %26, i64 0, i64 %531
-  %533 = getelementptr inbounds i8, ptr %47, i64 %532
-  %534 = add nsw i64 %527, 8
-  %535 = icmp sle i64 %534, %11
-  %536 = select i1 %26, i1 %535, i1 false
-  br i1 %536, label %537, label %577
-
-537:                                              ; preds = %523
-  %538 = add nsw i64 %527, 4
-  %539 = load i64, ptr %177, align 8
-  %540 = icmp eq i64 %539, 1
-  %541 = select i1 %540, i1 %298, i1 false
-  br i1 %541, label %542, label %559
-
-542:                                              ; preds = %537, %550
-  %543 = phi i64 [ %551, %550 ], [ 0, %537 ]
-  br i1 %299, label %544, label %550
-
-544:                                              ; preds = %542
-  %545 = load i64, ptr %176, align 8
-  %546 = mul nsw i64 %545, %538
-  %547 = getelementptr inbounds double, ptr %2, i64 %546
-  %548 = mul nsw i64 %545, %543
-  %549 = getelementptr inbounds double, ptr %547, i64 %548
-  br label %554
-
-550:                                              ; preds = %554, %542
-  %551 = add nuw nsw i64 %543, 1
-  %552 = icmp ult i64 %543, 3
-  %553 = select i1 %298, i1 %552, i1 false
-  br i1 %553, label %542, label %559, !llvm.loop !20
-
-554:                                              ; preds = %544, %554
-  %555 = phi i64 [ 0, %544 ], [ %557, %554 ]
-  %556 = getelementptr inbounds double, ptr %549, i64 %555
-  tail call void @llvm.prefetch.p0(ptr %556, i32 0, i32 3, i32 1)
-  %557 = add nuw nsw i64 %555, 8
-  %558 = icmp slt i64 %557, %13
-  br i1 %558, label %554, label %550, !llvm.loop !21
-
-559:                                              ; preds = %550, %537
-  br i1 %300, label %560, label %577
-
-560:                                              ; preds = %559, %568
-  %561 = phi i64 [ %569, %568 ], [ 0, %559 ]
-  br i1 %301, label %562, label %568
+560:                                              ; preds = %486, %565
+  %561 = phi i64 [ 0, %486 ], [ %566, %565 ]
+  br i1 %487, label %562, label %565
 
 562:                                              ; preds = %560
-  %563 = load i64, ptr %23, align 8
-  %564 = mul nsw i64 %563, %538
-  %565 = getelementptr inbounds double, ptr %5, i64 %564
-  %566 = mul nsw i64 %563, %561
-  %567 = getelementptr inbounds double, ptr %565, i64 %566
-  br label %572
+  %563 = mul nsw i64 %561, %483
+  %564 = getelementptr inbounds double, ptr %482, i64 %563
+  br label %568
 
-568:                                              ; preds = %572, %560
-  %569 = add nuw nsw i64 %561, 1
-  %570 = icmp ult i64 %561, 3
-  %571 = select i1 %300, i1 %570, i1 false
-  br i1 %571, label %560, label %577, !llvm.loop !22
+565:                                              ; preds = %568, %560
+  %566 = add nuw nsw i64 %561, 1
+  %567 = icmp eq i64 %566, %15
+  br i1 %567, label %579, label %560, !llvm.loop !20
 
-572:                                              ; preds = %562, %572
-  %573 = phi i64 [ 0, %562 ], [ %575, %572 ]
-  %574 = getelementptr inbounds double, ptr %567, i64 %573
-  tail call void @llvm.prefetch.p0(ptr %574, i32 1, i32 3, i32 1)
-  %575 = add nuw nsw i64 %573, 8
-  %576 = icmp slt i64 %575, %17
-  br i1 %576, label %572, label %568, !llvm.loop !23
+568:                                              ; preds = %562, %568
+  %569 = phi i64 [ 0, %562 ], [ %577, %568 ]
+  %570 = shl nsw i64 %569, 5
+  %571 = getelementptr inbounds i8, ptr %564, i64 %570
+  %572 = load <4 x double>, ptr %571, align 8
+  %573 = mul nuw nsw i64 %569, %15
+  %574 = add nuw nsw i64 %573, %561
+  %575 = shl nsw i64 %574, 5
+  %576 = getelementptr inbounds i8, ptr %44, i64 %575
+  store <4 x double> %572, ptr %576, align 8
+  %577 = add nuw nsw i64 %569, 1
+  %578 = icmp eq i64 %577, %378
+  br i1 %578, label %565, label %568, !llvm.loop !21
 
-577:                                              ; preds = %568, %559, %523
-  %578 = load ptr, ptr %0, align 8
-  %579 = getelementptr inbounds double, ptr %1, i64 %527
-  %580 = mul i64 %302, %524
-  %581 = getelementptr inbounds i8, ptr %39, i64 %580
-  %582 = tail call i32 %578(ptr noundef %579, ptr noundef nonnull %581, ptr noundef nonnull %530, ptr noundef %34, ptr noundef nonnull %533) #4
-  %583 = sext i32 %582 to i64
-  %584 = getelementptr inbounds i8, ptr %6, i64 %527
-  %585 = icmp eq i32 %582, 0
-  br i1 %585, label %594, label %586
+579:                                              ; preds = %565, %557, %485, %488, %478
+  %580 = icmp sgt i64 %378, 0
+  br i1 %580, label %583, label %581
 
-586:                                              ; preds = %577, %586
-  %587 = phi i64 [ %592, %586 ], [ 0, %577 ]
-  %588 = lshr i64 %583, %587
-  %589 = trunc i64 %588 to i8
-  %590 = and i8 %589, 1
-  %591 = getelementptr inbounds i8, ptr %584, i64 %587
-  store i8 %590, ptr %591, align 1
-  %592 = add nuw nsw i64 %587, 1
-  %593 = icmp eq i64 %592, 4
-  br i1 %593, label %594, label %586, !llvm.loop !7
+581:                                              ; preds = %726, %579
+  %582 = phi <4 x i64> [ %372, %579 ], [ %667, %726 ]
+  br i1 %26, label %729, label %753
 
-594:                                              ; preds = %586, %577
-  br i1 %303, label %595, label %606
+583:                                              ; preds = %579, %726
+  %584 = phi i64 [ %727, %726 ], [ 0, %579 ]
+  %585 = phi <4 x i64> [ %667, %726 ], [ %372, %579 ]
+  %586 = shl nsw i64 %584, 2
+  %587 = add nsw i64 %586, %377
+  %588 = mul i64 %344, %584
+  %589 = select i1 %20, i64 %588, i64 0
+  %590 = getelementptr inbounds i8, ptr %44, i64 %589
+  %591 = mul i64 %345, %584
+  %592 = select i1 %26, i64 %591, i64 0
+  %593 = getelementptr inbounds i8, ptr %47, i64 %592
+  %594 = add nsw i64 %587, 8
+  %595 = icmp sgt i64 %594, %11
+  %596 = select i1 %26, i1 true, i1 %595
+  br i1 %596, label %637, label %597
 
-595:                                              ; preds = %594, %595
-  %596 = phi <4 x i64> [ %603, %595 ], [ %525, %594 ]
-  %597 = phi i64 [ %604, %595 ], [ 0, %594 ]
-  %598 = shl nsw i64 %597, 5
-  %599 = getelementptr inbounds i8, ptr %533, i64 %598
-  %600 = load <4 x double>, ptr %599, align 8
-  %601 = fsub <4 x double> %600, %600
-  %602 = bitcast <4 x double> %601 to <4 x i64>
-  %603 = or <4 x i64> %596, %602
-  %604 = add nuw nsw i64 %597, 1
-  %605 = icmp eq i64 %604, %17
-  br i1 %605, label %606, label %595, !llvm.loop !24
+597:                                              ; preds = %583
+  %598 = add nsw i64 %587, 4
+  %599 = load i64, ptr %317, align 8
+  %600 = icmp eq i64 %599, 1
+  %601 = select i1 %600, i1 %346, i1 false
+  br i1 %601, label %602, label %619
 
-606:                                              ; preds = %595, %594
-  %607 = phi <4 x i64> [ %525, %594 ], [ %603, %595 ]
-  br i1 %26, label %608, label %666
+602:                                              ; preds = %597, %610
+  %603 = phi i64 [ %611, %610 ], [ 0, %597 ]
+  br i1 %347, label %604, label %610
 
-608:                                              ; preds = %606
-  %609 = load i64, ptr %23, align 8
-  %610 = mul nsw i64 %609, %527
-  %611 = getelementptr inbounds double, ptr %5, i64 %610
-  br i1 %304, label %612, label %615
+604:                                              ; preds = %602
+  %605 = load i64, ptr %176, align 8
+  %606 = mul nsw i64 %605, %598
+  %607 = getelementptr inbounds double, ptr %2, i64 %606
+  %608 = mul nsw i64 %605, %603
+  %609 = getelementptr inbounds double, ptr %607, i64 %608
+  br label %614
 
-612:                                              ; preds = %608
-  %613 = shl i64 %609, 4
-  %614 = mul i64 %609, 24
-  br label %621
+610:                                              ; preds = %614, %602
+  %611 = add nuw nsw i64 %603, 1
+  %612 = icmp ult i64 %603, 3
+  %613 = select i1 %346, i1 %612, i1 false
+  br i1 %613, label %602, label %619, !llvm.loop !22
 
-615:                                              ; preds = %621, %608
-  %616 = phi i64 [ 0, %608 ], [ %648, %621 ]
-  %617 = icmp slt i64 %616, %17
-  br i1 %617, label %618, label %666
+614:                                              ; preds = %604, %614
+  %615 = phi i64 [ 0, %604 ], [ %617, %614 ]
+  %616 = getelementptr inbounds double, ptr %609, i64 %615
+  tail call void @llvm.prefetch.p0(ptr %616, i32 0, i32 3, i32 1)
+  %617 = add nuw nsw i64 %615, 8
+  %618 = icmp slt i64 %617, %13
+  br i1 %618, label %614, label %610, !llvm.loop !23
 
-618:                                              ; preds = %615
-  %619 = shl i64 %609, 4
-  %620 = mul i64 %609, 24
-  br label %651
+619:                                              ; preds = %610, %597
+  br i1 %348, label %620, label %637
 
-621:                                              ; preds = %612, %621
-  %622 = phi i64 [ %648, %621 ], [ 0, %612 ]
-  %623 = tail call i64 @llvm.smin.i64(i64 %622, i64 %305)
-  %624 = getelementptr double, ptr %611, i64 %623
-  %625 = shl nsw i64 %623, 5
-  %626 = getelementptr inbounds i8, ptr %47, i64 %625
-  %627 = load <4 x double>, ptr %626, align 8
-  %628 = shl i64 %623, 5
-  %629 = getelementptr i8, ptr %307, i64 %628
-  %630 = load <4 x double>, ptr %629, align 8
-  %631 = shufflevector <4 x double> %627, <4 x double> %630, <4 x i32> <i32 1, i32 5, i32 3, i32 7>
-  %632 = shl i64 %623, 5
-  %633 = getelementptr i8, ptr %308, i64 %632
-  %634 = load <4 x double>, ptr %633, align 8
-  %635 = shl i64 %623, 5
-  %636 = getelementptr i8, ptr %309, i64 %635
-  %637 = load <4 x double>, ptr %636, align 8
-  %638 = shufflevector <4 x double> %634, <4 x double> %637, <4 x i32> <i32 1, i32 5, i32 3, i32 7>
-  %639 = shufflevector <4 x double> %631, <4 x double> %638, <4 x i32> <i32 2, i32 3, i32 6, i32 7>
-  %640 = shufflevector <4 x double> %627, <4 x double> %630, <4 x i32> <i32 0, i32 4, i32 2, i32 6>
-  %641 = shufflevector <4 x double> %634, <4 x double> %637, <4 x i32> <i32 0, i32 4, i32 2, i32 6>
-  %642 = shufflevector <4 x double> %640, <4 x double> %641, <4 x i32> <i32 2, i32 3, i32 6, i32 7>
-  %643 = shufflevector <4 x double> %631, <4 x double> %638, <4 x i32> <i32 0, i32 1, i32 4, i32 5>
-  %644 = shufflevector <4 x double> %640, <4 x double> %641, <4 x i32> <i32 0, i32 1, i32 4, i32 5>
-  store <4 x double> %644, ptr %624, align 8
-  %645 = getelementptr double, ptr %624, i64 %609
-  store <4 x double> %643, ptr %645, align 8
-  %646 = getelementptr i8, ptr %624, i64 %613
-  store <4 x double> %642, ptr %646, align 8
-  %647 = getelementptr i8, ptr %624, i64 %614
-  store <4 x double> %639, ptr %647, align 8
-  %648 = add nsw i64 %623, 4
-  %649 = icmp slt i64 %648, %17
-  %650 = select i1 %304, i1 %649, i1 false
-  br i1 %650, label %621, label %615, !llvm.loop !25
+620:                                              ; preds = %619, %628
+  %621 = phi i64 [ %629, %628 ], [ 0, %619 ]
+  br i1 %349, label %622, label %628
 
-651:                                              ; preds = %618, %651
-  %652 = phi i64 [ %664, %651 ], [ %616, %618 ]
-  %653 = getelementptr double, ptr %611, i64 %652
-  %654 = shl nsw i64 %652, 5
-  %655 = getelementptr inbounds i8, ptr %47, i64 %654
-  %656 = load <4 x double>, ptr %655, align 8
-  %657 = extractelement <4 x double> %656, i64 0
-  store double %657, ptr %653, align 8
-  %658 = extractelement <4 x double> %656, i64 1
-  %659 = getelementptr double, ptr %653, i64 %609
-  store double %658, ptr %659, align 8
-  %660 = extractelement <4 x double> %656, i64 2
-  %661 = getelementptr i8, ptr %653, i64 %619
-  store double %660, ptr %661, align 8
-  %662 = extractelement <4 x double> %656, i64 3
-  %663 = getelementptr i8, ptr %653, i64 %620
-  store double %662, ptr %663, align 8
-  %664 = add nsw i64 %652, 1
+622:                                              ; preds = %620
+  %623 = load i64, ptr %23, align 8
+  %624 = mul nsw i64 %623, %598
+  %625 = getelementptr inbounds double, ptr %5, i64 %624
+  %626 = mul nsw i64 %623, %621
+  %627 = getelementptr inbounds double, ptr %625, i64 %626
+  br label %632
+
+628:                                              ; preds = %632, %620
+  %629 = add nuw nsw i64 %621, 1
+  %630 = icmp ult i64 %621, 3
+  %631 = select i1 %348, i1 %630, i1 false
+  br i1 %631, label %620, label %637, !llvm.loop !24
+
+632:                                              ; preds = %622, %632
+  %633 = phi i64 [ 0, %622 ], [ %635, %632 ]
+  %634 = getelementptr inbounds double, ptr %627, i64 %633
+  tail call void @llvm.prefetch.p0(ptr %634, i32 1, i32 3, i32 1)
+  %635 = add nuw nsw i64 %633, 8
+  %636 = icmp slt i64 %635, %17
+  br i1 %636, label %632, label %628, !llvm.loop !25
+
+637:                                              ; preds = %628, %619, %583
+  %638 = load ptr, ptr %0, align 8
+  %639 = getelementptr inbounds double, ptr %1, i64 %587
+  %640 = mul i64 %350, %584
+  %641 = getelementptr inbounds i8, ptr %39, i64 %640
+  %642 = tail call i32 %638(ptr noundef %639, ptr noundef nonnull %641, ptr noundef nonnull %590, ptr noundef %34, ptr noundef nonnull %593) #4
+  %643 = sext i32 %642 to i64
+  %644 = getelementptr inbounds i8, ptr %6, i64 %587
+  %645 = icmp eq i32 %642, 0
+  br i1 %645, label %654, label %646
+
+646:                                              ; preds = %637, %646
+  %647 = phi i64 [ %652, %646 ], [ 0, %637 ]
+  %648 = lshr i64 %643, %647
+  %649 = trunc i64 %648 to i8
+  %650 = and i8 %649, 1
+  %651 = getelementptr inbounds i8, ptr %644, i64 %647
+  store i8 %650, ptr %651, align 1
+  %652 = add nuw nsw i64 %647, 1
+  %653 = icmp eq i64 %652, 4
+  br i1 %653, label %654, label %646, !llvm.loop !7
+
+654:                                              ; preds = %646, %637
+  br i1 %351, label %655, label %666
+
+655:                                              ; preds = %654, %655
+  %656 = phi <4 x i64> [ %663, %655 ], [ %585, %654 ]
+  %657 = phi i64 [ %664, %655 ], [ 0, %654 ]
+  %658 = shl nsw i64 %657, 5
+  %659 = getelementptr inbounds i8, ptr %593, i64 %658
+  %660 = load <4 x double>, ptr %659, align 8
+  %661 = fsub <4 x double> %660, %660
+  %662 = bitcast <4 x double> %661 to <4 x i64>
+  %663 = or <4 x i64> %656, %662
+  %664 = add nuw nsw i64 %657, 1
   %665 = icmp eq i64 %664, %17
-  br i1 %665, label %666, label %651, !llvm.loop !26
+  br i1 %665, label %666, label %655, !llvm.loop !15
 
-666:                                              ; preds = %651, %615, %606
-  %667 = add nuw nsw i64 %524, 1
-  %668 = icmp eq i64 %667, %318
-  br i1 %668, label %521, label %523, !llvm.loop !27
+666:                                              ; preds = %655, %654
+  %667 = phi <4 x i64> [ %585, %654 ], [ %663, %655 ]
+  br i1 %26, label %726, label %668
 
-669:                                              ; preds = %521
-  %670 = load i64, ptr %24, align 8
-  %671 = getelementptr inbounds double, ptr %5, i64 %317
-  br i1 %306, label %672, label %693
+668:                                              ; preds = %666
+  %669 = load i64, ptr %23, align 8
+  %670 = mul nsw i64 %669, %587
+  %671 = getelementptr inbounds double, ptr %5, i64 %670
+  br i1 %352, label %672, label %675
 
-672:                                              ; preds = %669
-  %673 = icmp sgt i64 %318, 0
-  br label %674
+672:                                              ; preds = %668
+  %673 = shl i64 %669, 4
+  %674 = mul i64 %669, 24
+  br label %681
 
-674:                                              ; preds = %672, %679
-  %675 = phi i64 [ 0, %672 ], [ %680, %679 ]
-  br i1 %673, label %676, label %679
+675:                                              ; preds = %681, %668
+  %676 = phi i64 [ 0, %668 ], [ %708, %681 ]
+  %677 = icmp slt i64 %676, %17
+  br i1 %677, label %678, label %726
 
-676:                                              ; preds = %674
-  %677 = mul nsw i64 %675, %670
-  %678 = getelementptr inbounds double, ptr %671, i64 %677
-  br label %682
+678:                                              ; preds = %675
+  %679 = shl i64 %669, 4
+  %680 = mul i64 %669, 24
+  br label %711
 
-679:                                              ; preds = %682, %674
-  %680 = add nuw nsw i64 %675, 1
-  %681 = icmp eq i64 %680, %17
-  br i1 %681, label %693, label %674, !llvm.loop !28
+681:                                              ; preds = %672, %681
+  %682 = phi i64 [ %708, %681 ], [ 0, %672 ]
+  %683 = tail call i64 @llvm.smin.i64(i64 %682, i64 %353)
+  %684 = getelementptr double, ptr %671, i64 %683
+  %685 = shl nsw i64 %683, 5
+  %686 = getelementptr inbounds i8, ptr %47, i64 %685
+  %687 = load <4 x double>, ptr %686, align 8
+  %688 = shl i64 %683, 5
+  %689 = getelementptr i8, ptr %355, i64 %688
+  %690 = load <4 x double>, ptr %689, align 8
+  %691 = shufflevector <4 x double> %687, <4 x double> %690, <4 x i32> <i32 1, i32 5, i32 3, i32 7>
+  %692 = shl i64 %683, 5
+  %693 = getelementptr i8, ptr %356, i64 %692
+  %694 = load <4 x double>, ptr %693, align 8
+  %695 = shl i64 %683, 5
+  %696 = getelementptr i8, ptr %357, i64 %695
+  %697 = load <4 x double>, ptr %696, align 8
+  %698 = shufflevector <4 x double> %694, <4 x double> %697, <4 x i32> <i32 1, i32 5, i32 3, i32 7>
+  %699 = shufflevector <4 x double> %691, <4 x double> %698, <4 x i32> <i32 2, i32 3, i32 6, i32 7>
+  %700 = shufflevector <4 x double> %687, <4 x double> %690, <4 x i32> <i32 0, i32 4, i32 2, i32 6>
+  %701 = shufflevector <4 x double> %694, <4 x double> %697, <4 x i32> <i32 0, i32 4, i32 2, i32 6>
+  %702 = shufflevector <4 x double> %700, <4 x double> %701, <4 x i32> <i32 2, i32 3, i32 6, i32 7>
+  %703 = shufflevector <4 x double> %691, <4 x double> %698, <4 x i32> <i32 0, i32 1, i32 4, i32 5>
+  %704 = shufflevector <4 x double> %700, <4 x double> %701, <4 x i32> <i32 0, i32 1, i32 4, i32 5>
+  store <4 x double> %704, ptr %684, align 8
+  %705 = getelementptr double, ptr %684, i64 %669
+  store <4 x double> %703, ptr %705, align 8
+  %706 = getelementptr i8, ptr %684, i64 %673
+  store <4 x double> %702, ptr %706, align 8
+  %707 = getelementptr i8, ptr %684, i64 %674
+  store <4 x double> %699, ptr %707, align 8
+  %708 = add nsw i64 %683, 4
+  %709 = icmp slt i64 %708, %17
+  %710 = select i1 %352, i1 %709, i1 false
+  br i1 %710, label %681, label %675, !llvm.loop !26
 
-682:                                              ; preds = %676, %682
-  %683 = phi i64 [ 0, %676 ], [ %691, %682 ]
-  %684 = mul nuw nsw i64 %683, %17
-  %685 = add nuw nsw i64 %684, %675
-  %686 = shl nsw i64 %685, 5
-  %687 = getelementptr inbounds i8, ptr %47, i64 %686
-  %688 = load <4 x double>, ptr %687, align 8
-  %689 = shl nsw i64 %683, 5
-  %690 = getelementptr inbounds i8, ptr %678, i64 %689
-  store <4 x double> %688, ptr %690, align 8
-  %691 = add nuw nsw i64 %683, 1
-  %692 = icmp eq i64 %691, %318
-  br i1 %692, label %679, label %682, !llvm.loop !29
+711:                                              ; preds = %678, %711
+  %712 = phi i64 [ %724, %711 ], [ %676, %678 ]
+  %713 = getelementptr double, ptr %671, i64 %712
+  %714 = shl nsw i64 %712, 5
+  %715 = getelementptr inbounds i8, ptr %47, i64 %714
+  %716 = load <4 x double>, ptr %715, align 8
+  %717 = extractelement <4 x double> %716, i64 0
+  store double %717, ptr %713, align 8
+  %718 = extractelement <4 x double> %716, i64 1
+  %719 = getelementptr double, ptr %713, i64 %669
+  store double %718, ptr %719, align 8
+  %720 = extractelement <4 x double> %716, i64 2
+  %721 = getelementptr i8, ptr %713, i64 %679
+  store double %720, ptr %721, align 8
+  %722 = extractelement <4 x double> %716, i64 3
+  %723 = getelementptr i8, ptr %713, i64 %680
+  store double %722, ptr %723, align 8
+  %724 = add nsw i64 %712, 1
+  %725 = icmp eq i64 %724, %17
+  br i1 %725, label %726, label %711, !llvm.loop !27
 
-693:                                              ; preds = %679, %669, %521
-  %694 = shl nsw i64 %318, 2
-  %695 = add nsw i64 %317, %694
-  %696 = icmp slt i64 %695, %11
-  br i1 %696, label %310, label %697, !llvm.loop !30
+726:                                              ; preds = %711, %675, %666
+  %727 = add nuw nsw i64 %584, 1
+  %728 = icmp eq i64 %727, %378
+  br i1 %728, label %581, label %583, !llvm.loop !28
 
-697:                                              ; preds = %693
-  %698 = extractelement <4 x i64> %522, i64 0
-  %699 = icmp eq i64 %698, 0
-  %700 = extractelement <4 x i64> %522, i64 1
-  %701 = icmp eq i64 %700, 0
-  %702 = extractelement <4 x i64> %522, i64 2
-  %703 = icmp eq i64 %702, 0
-  %704 = extractelement <4 x i64> %522, i64 3
-  %705 = icmp eq i64 %704, 0
-  %706 = select i1 %705, i1 %703, i1 false
-  %707 = select i1 %706, i1 %701, i1 false
-  %708 = select i1 %707, i1 %699, i1 false
-  %709 = zext i1 %708 to i64
-  br label %710
+729:                                              ; preds = %581
+  %730 = load i64, ptr %24, align 8
+  %731 = getelementptr inbounds double, ptr %5, i64 %377
+  br i1 %354, label %732, label %753
 
-710:                                              ; preds = %159, %272, %697, %8
-  %711 = phi i64 [ 1, %8 ], [ 0, %272 ], [ %709, %697 ], [ 0, %159 ]
-  ret i64 %711
+732:                                              ; preds = %729
+  %733 = icmp sgt i64 %378, 0
+  br label %734
+
+734:                                              ; preds = %732, %739
+  %735 = phi i64 [ 0, %732 ], [ %740, %739 ]
+  br i1 %733, label %736, label %739
+
+736:                                              ; preds = %734
+  %737 = mul nsw i64 %735, %730
+  %738 = getelementptr inbounds double, ptr %731, i64 %737
+  br label %742
+
+739:                                              ; preds = %742, %734
+  %740 = add nuw nsw i64 %735, 1
+  %741 = icmp eq i64 %740, %17
+  br i1 %741, label %753, label %734, !llvm.loop !29
+
+742:                                              ; preds = %736, %742
+  %743 = phi i64 [ 0, %736 ], [ %751, %742 ]
+  %744 = mul nuw nsw i64 %743, %17
+  %745 = add nuw nsw i64 %744, %735
+  %746 = shl nsw i64 %745, 5
+  %747 = getelementptr inbounds i8, ptr %47, i64 %746
+  %748 = load <4 x double>, ptr %747, align 8
+  %749 = shl nsw i64 %743, 5
+  %750 = getelementptr inbounds i8, ptr %738, i64 %749
+  store <4 x double> %748, ptr %750, align 8
+  %751 = add nuw nsw i64 %743, 1
+  %752 = icmp eq i64 %751, %378
+  br i1 %752, label %739, label %742, !llvm.loop !30
+
+753:                                              ; preds = %739, %729, %581
+  %754 = shl nsw i64 %378, 2
+  %755 = add nsw i64 %377, %754
+  %756 = icmp slt i64 %755, %11
+  br i1 %756, label %370, label %358, !llvm.loop !31
+
+757:                                              ; preds = %159, %358, %303, %8
+  %758 = phi i1 [ true, %8 ], [ %315, %303 ], [ %369, %358 ], [ false, %159 ]
+  %759 = zext i1 %758 to i64
+  ret i64 %759
 }
 
 
@@ -1016,3 +1076,4 @@ attributes #5 = { nounwind }
 !28 = distinct !{!28, !4, !5}
 !29 = distinct !{!29, !4, !5}
 !30 = distinct !{!30, !4, !5}
+!31 = distinct !{!31, !4, !5}

@@ -1,4 +1,4 @@
-; sources 43bf3c764d0b0f01525843b71db70e8ebe737719f9369c045223c7f71de206b4
+; sources f02e5cf85e68bf26bc1f8b444534616c51bfdb9e0b37734a839afecf018644bb
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define range(i64 0, 2) i64 @sweep_8(ptr noundef readonly %0, ptr noundef %1, ptr noundef %2, ptr noundef %3, ptr noundef readonly %4, ptr noundef %5, ptr noundef writeonly %6, ptr noundef %7) #0 {
@@ -19,7 +19,7 @@ define range(i64 0, 2) i64 @sweep_8(ptr noundef readonly %0, ptr noundef %1, ptr
   %23 = getelementptr inbounds i8, ptr %0, i64 128
   %24 = getelementptr inbounds i8, ptr %0, i64 136
   %25 = load i64, ptr %24, align 8
-  %26 = icmp eq i64 %25, 1
+  %26 = icmp ne i64 %25, 1
   %27 = ptrtoint ptr %7 to i64
   %28 = add i64 %27, 63
   %29 = and i64 %28, -64
@@ -42,7 +42,7 @@ define range(i64 0, 2) i64 @sweep_8(ptr noundef readonly %0, ptr noundef %1, ptr
   %46 = mul i64 %45, %41
   %47 = getelementptr inbounds i8, ptr %44, i64 %46
   %48 = icmp slt i64 %11, 1
-  br i1 %48, label %838, label %49
+  br i1 %48, label %897, label %49
 
 49:                                               ; preds = %8
   %50 = icmp sgt i64 %32, 0
@@ -210,7 +210,7 @@ define range(i64 0, 2) i64 @sweep_8(ptr noundef readonly %0, ptr noundef %1, ptr
 159:                                              ; preds = %162, %156
   %160 = add nuw nsw i64 %157, 1
   %161 = icmp eq i64 %160, %114
-  br i1 %161, label %838, label %156, !llvm.loop !12
+  br i1 %161, label %897, label %156, !llvm.loop !12
 
 162:                                              ; preds = %156, %162
   %163 = phi i64 [ %173, %162 ], [ 0, %156 ]
@@ -230,32 +230,34 @@ define range(i64 0, 2) i64 @sweep_8(ptr noundef readonly %0, ptr noundef %1, ptr
 
 175:                                              ; preds = %87
   %176 = getelementptr inbounds i8, ptr %0, i64 96
-  %177 = getelementptr inbounds i8, ptr %0, i64 104
-  %178 = load i64, ptr %177, align 8
-  %179 = icmp eq i64 %178, 1
-  %180 = select i1 %179, i1 true, i1 %26
-  %181 = xor i1 %22, true
-  %182 = select i1 %180, i1 true, i1 %181
-  %183 = xor i1 %180, true
-  br i1 %182, label %188, label %184
+  %177 = load i64, ptr %176, align 8
+  %178 = icmp eq i64 %177, 1
+  br i1 %178, label %179, label %186
 
-184:                                              ; preds = %175
-  %185 = getelementptr inbounds i8, ptr %0, i64 120
-  %186 = load i64, ptr %185, align 8
-  %187 = icmp ne i64 %186, 1
-  br label %188
+179:                                              ; preds = %175
+  %180 = load i64, ptr %23, align 8
+  %181 = icmp eq i64 %180, 1
+  %182 = select i1 %181, i1 %22, i1 false
+  br i1 %182, label %183, label %186
 
-188:                                              ; preds = %175, %184
-  %189 = phi i1 [ %183, %175 ], [ %187, %184 ]
-  %190 = getelementptr inbounds i8, ptr %0, i64 80
-  %191 = load i64, ptr %190, align 8
-  %192 = icmp sgt i64 %11, %191
-  br i1 %192, label %193, label %204
+183:                                              ; preds = %179
+  %184 = load i64, ptr %18, align 8
+  %185 = icmp eq i64 %184, 1
+  br label %186
 
-193:                                              ; preds = %188
+186:                                              ; preds = %179, %183, %175
+  %187 = phi i1 [ %181, %179 ], [ false, %175 ], [ %185, %183 ]
+  %188 = getelementptr inbounds i8, ptr %0, i64 80
+  %189 = load i64, ptr %188, align 8
+  %190 = icmp sgt i64 %11, %189
+  br i1 %190, label %191, label %204
+
+191:                                              ; preds = %186
+  %192 = getelementptr inbounds i8, ptr %0, i64 104
+  %193 = load i64, ptr %192, align 8
   %194 = add nsw i64 %15, %13
   %195 = add nsw i64 %194, %17
-  %196 = shl nsw i64 %178, 3
+  %196 = shl nsw i64 %193, 3
   %197 = sub nsw i64 0, %196
   %198 = and i64 %196, %197
   %199 = tail call i64 @llvm.smin.i64(i64 %198, i64 4096)
@@ -265,14 +267,14 @@ define range(i64 0, 2) i64 @sweep_8(ptr noundef readonly %0, ptr noundef %1, ptr
   %203 = icmp sge i64 %202, %195
   br label %204
 
-204:                                              ; preds = %193, %188
-  %205 = phi i1 [ true, %188 ], [ %203, %193 ]
+204:                                              ; preds = %191, %186
+  %205 = phi i1 [ true, %186 ], [ %203, %191 ]
   %206 = getelementptr inbounds i8, ptr %0, i64 16
   %207 = load ptr, ptr %206, align 8
   %208 = icmp ne ptr %207, null
-  %209 = select i1 %208, i1 %189, i1 false
+  %209 = select i1 %208, i1 %187, i1 false
   %210 = select i1 %209, i1 %205, i1 false
-  br i1 %210, label %211, label %273
+  br i1 %210, label %211, label %328
 
 211:                                              ; preds = %204
   %212 = select i1 %22, ptr %3, ptr %44
@@ -284,823 +286,893 @@ define range(i64 0, 2) i64 @sweep_8(ptr noundef readonly %0, ptr noundef %1, ptr
   %218 = load i64, ptr %18, align 8
   %219 = icmp eq i64 %218, 0
   %220 = select i1 %219, i64 0, i64 8
-  store i64 %178, ptr %9, align 16
-  %221 = getelementptr inbounds i8, ptr %9, i64 8
-  br i1 %219, label %225, label %222
+  %221 = getelementptr inbounds i8, ptr %0, i64 104
+  %222 = load i64, ptr %221, align 8
+  store i64 %222, ptr %9, align 16
+  %223 = getelementptr inbounds i8, ptr %9, i64 8
+  br i1 %219, label %227, label %224
 
-222:                                              ; preds = %211
-  %223 = getelementptr inbounds i8, ptr %0, i64 120
-  %224 = load i64, ptr %223, align 8
-  br label %225
+224:                                              ; preds = %211
+  %225 = getelementptr inbounds i8, ptr %0, i64 120
+  %226 = load i64, ptr %225, align 8
+  br label %227
 
-225:                                              ; preds = %222, %211
-  %226 = phi i64 [ %224, %222 ], [ 8, %211 ]
-  store i64 %226, ptr %221, align 8
-  %227 = getelementptr inbounds i8, ptr %9, i64 16
-  %228 = load i64, ptr %24, align 8
-  store i64 %228, ptr %227, align 16
-  %229 = getelementptr inbounds i8, ptr %9, i64 24
-  store i64 1, ptr %229, align 8
-  %230 = getelementptr inbounds i8, ptr %9, i64 32
-  store i64 %220, ptr %230, align 16
-  %231 = getelementptr i8, ptr %6, i64 -8
-  %232 = icmp sgt i64 %213, 0
-  br i1 %232, label %233, label %272
+227:                                              ; preds = %224, %211
+  %228 = phi i64 [ %226, %224 ], [ 8, %211 ]
+  store i64 %228, ptr %223, align 8
+  %229 = getelementptr inbounds i8, ptr %9, i64 16
+  %230 = load i64, ptr %24, align 8
+  store i64 %230, ptr %229, align 16
+  %231 = getelementptr inbounds i8, ptr %9, i64 24
+  store i64 1, ptr %231, align 8
+  %232 = getelementptr inbounds i8, ptr %9, i64 32
+  store i64 %220, ptr %232, align 16
+  %233 = getelementptr i8, ptr %6, i64 -8
+  %234 = icmp sgt i64 %213, 0
+  br i1 %234, label %235, label %303
 
-233:                                              ; preds = %225
-  %234 = icmp sgt i64 %213, 8
-  %235 = sub nuw nsw i64 8, %217
-  br label %236
+235:                                              ; preds = %227
+  %236 = icmp sgt i64 %213, 8
+  %237 = sub nuw nsw i64 8, %217
+  br label %238
 
-236:                                              ; preds = %233, %268
-  %237 = phi i64 [ 0, %233 ], [ %270, %268 ]
-  %238 = call i64 @llvm.smin.i64(i64 %237, i64 %214)
-  %239 = icmp eq i64 %237, 0
-  br i1 %239, label %243, label %240
+238:                                              ; preds = %235, %278
+  %239 = phi <8 x i64> [ zeroinitializer, %235 ], [ %279, %278 ]
+  %240 = phi i64 [ 0, %235 ], [ %281, %278 ]
+  %241 = call i64 @llvm.smin.i64(i64 %240, i64 %214)
+  %242 = icmp eq i64 %240, 0
+  br i1 %242, label %246, label %243
 
-240:                                              ; preds = %236
-  %241 = sub nsw i64 %213, %238
-  %242 = sdiv i64 %241, 8
-  store i64 %242, ptr %229, align 8
-  br label %243
+243:                                              ; preds = %238
+  %244 = sub nsw i64 %213, %241
+  %245 = sdiv i64 %244, 8
+  store i64 %245, ptr %231, align 8
+  br label %246
 
-243:                                              ; preds = %240, %236
-  %244 = load i64, ptr %18, align 8
-  %245 = icmp eq i64 %244, 0
-  %246 = select i1 %245, i64 0, i64 %238
-  %247 = getelementptr inbounds double, ptr %212, i64 %246
-  %248 = load ptr, ptr %206, align 8
-  %249 = getelementptr inbounds double, ptr %1, i64 %238
-  %250 = getelementptr inbounds double, ptr %2, i64 %238
-  %251 = getelementptr inbounds double, ptr %5, i64 %238
-  %252 = call i64 %248(ptr noundef %249, ptr noundef %250, ptr noundef %247, ptr noundef %34, ptr noundef %251, ptr noundef nonnull %9) #4
-  %253 = ashr i64 %252, 29
-  %254 = and i64 %253, -8
-  %255 = add nsw i64 %254, %238
-  %256 = shl i64 %252, 32
-  %257 = ashr exact i64 %256, 32
-  %258 = getelementptr i8, ptr %231, i64 %255
-  %259 = icmp eq i64 %256, 0
-  br i1 %259, label %268, label %260
+246:                                              ; preds = %243, %238
+  %247 = load i64, ptr %18, align 8
+  %248 = icmp eq i64 %247, 0
+  %249 = select i1 %248, i64 0, i64 %241
+  %250 = getelementptr inbounds double, ptr %212, i64 %249
+  %251 = load ptr, ptr %206, align 8
+  %252 = getelementptr inbounds double, ptr %1, i64 %241
+  %253 = getelementptr inbounds double, ptr %2, i64 %241
+  %254 = getelementptr inbounds double, ptr %5, i64 %241
+  %255 = call i64 %251(ptr noundef %252, ptr noundef %253, ptr noundef %250, ptr noundef %34, ptr noundef %254, ptr noundef nonnull %9) #4
+  %256 = ashr i64 %255, 32
+  %257 = shl nsw i64 %256, 3
+  %258 = add nsw i64 %257, %241
+  %259 = shl i64 %255, 32
+  %260 = ashr exact i64 %259, 32
+  %261 = getelementptr i8, ptr %233, i64 %258
+  %262 = icmp eq i64 %259, 0
+  br i1 %262, label %271, label %263
 
-260:                                              ; preds = %243, %260
-  %261 = phi i64 [ %266, %260 ], [ 0, %243 ]
-  %262 = lshr i64 %257, %261
-  %263 = trunc i64 %262 to i8
-  %264 = and i8 %263, 1
-  %265 = getelementptr inbounds i8, ptr %258, i64 %261
-  store i8 %264, ptr %265, align 1
-  %266 = add nuw nsw i64 %261, 1
-  %267 = icmp eq i64 %266, 8
-  br i1 %267, label %268, label %260, !llvm.loop !7
+263:                                              ; preds = %246, %263
+  %264 = phi i64 [ %269, %263 ], [ 0, %246 ]
+  %265 = lshr i64 %260, %264
+  %266 = trunc i64 %265 to i8
+  %267 = and i8 %266, 1
+  %268 = getelementptr inbounds i8, ptr %261, i64 %264
+  store i8 %267, ptr %268, align 1
+  %269 = add nuw nsw i64 %264, 1
+  %270 = icmp eq i64 %269, 8
+  br i1 %270, label %271, label %263, !llvm.loop !7
 
-268:                                              ; preds = %260, %243
-  %269 = select i1 %239, i1 %234, i1 false
-  %270 = select i1 %269, i64 %235, i64 %255
-  %271 = icmp slt i64 %270, %213
-  br i1 %271, label %236, label %272, !llvm.loop !14
+271:                                              ; preds = %263, %246
+  %272 = load i64, ptr %16, align 8
+  %273 = getelementptr double, ptr %5, i64 %241
+  %274 = icmp sgt i64 %272, 0
+  br i1 %274, label %275, label %278
 
-272:                                              ; preds = %268, %225
-  br label %838
+275:                                              ; preds = %271
+  %276 = load i64, ptr %24, align 8
+  %277 = icmp sgt i64 %256, 0
+  br label %283
 
-273:                                              ; preds = %204
-  %274 = select i1 %179, i1 %26, i1 false
-  %275 = select i1 %274, i1 %22, i1 false
-  br i1 %275, label %276, label %280
+278:                                              ; preds = %299, %271
+  %279 = phi <8 x i64> [ %239, %271 ], [ %300, %299 ]
+  %280 = select i1 %242, i1 %236, i1 false
+  %281 = select i1 %280, i64 %237, i64 %258
+  %282 = icmp slt i64 %281, %213
+  br i1 %282, label %238, label %303, !llvm.loop !14
 
-276:                                              ; preds = %273
-  %277 = getelementptr inbounds i8, ptr %0, i64 120
-  %278 = load i64, ptr %277, align 8
-  %279 = icmp eq i64 %278, 1
-  br label %280
+283:                                              ; preds = %275, %299
+  %284 = phi i64 [ 0, %275 ], [ %301, %299 ]
+  %285 = phi <8 x i64> [ %239, %275 ], [ %300, %299 ]
+  %286 = mul nsw i64 %276, %284
+  %287 = getelementptr double, ptr %273, i64 %286
+  br i1 %277, label %288, label %299
 
-280:                                              ; preds = %273, %276
-  %281 = phi i1 [ %274, %273 ], [ %279, %276 ]
-  br i1 %281, label %284, label %282
+288:                                              ; preds = %283, %288
+  %289 = phi <8 x i64> [ %296, %288 ], [ %285, %283 ]
+  %290 = phi i64 [ %297, %288 ], [ 0, %283 ]
+  %291 = shl nsw i64 %290, 6
+  %292 = getelementptr inbounds i8, ptr %287, i64 %291
+  %293 = load <8 x double>, ptr %292, align 8
+  %294 = fsub <8 x double> %293, %293
+  %295 = bitcast <8 x double> %294 to <8 x i64>
+  %296 = or <8 x i64> %289, %295
+  %297 = add nuw nsw i64 %290, 1
+  %298 = icmp eq i64 %297, %256
+  br i1 %298, label %299, label %288, !llvm.loop !15
 
-282:                                              ; preds = %280
-  %283 = load i64, ptr %40, align 8
-  br label %284
+299:                                              ; preds = %288, %283
+  %300 = phi <8 x i64> [ %285, %283 ], [ %296, %288 ]
+  %301 = add nuw nsw i64 %284, 1
+  %302 = icmp eq i64 %301, %272
+  br i1 %302, label %278, label %283, !llvm.loop !16
 
-284:                                              ; preds = %282, %280
-  %285 = phi i64 [ %283, %282 ], [ 1, %280 ]
-  %286 = add nsw i64 %11, -8
-  %287 = icmp sgt i64 %13, 0
-  %288 = shl i64 %13, 6
-  %289 = icmp sgt i64 %13, 3
-  %290 = add nsw i64 %13, -4
-  %291 = getelementptr inbounds i8, ptr %0, i64 120
-  %292 = icmp sgt i64 %15, 0
-  %293 = shl i64 %15, 6
-  %294 = icmp sgt i64 %15, 3
-  %295 = add nsw i64 %15, -4
-  %296 = shl i64 %15, 6
-  %297 = shl i64 %17, 6
-  %298 = icmp slt i64 %13, 257
-  %299 = icmp sgt i64 %13, 0
-  %300 = icmp slt i64 %17, 257
-  %301 = icmp sgt i64 %17, 0
-  %302 = shl i64 %13, 6
-  %303 = icmp sgt i64 %17, 0
-  %304 = icmp sgt i64 %17, 3
-  %305 = add nsw i64 %17, -4
-  %306 = icmp sgt i64 %17, 0
-  %307 = getelementptr i8, ptr %47, i64 64
-  %308 = getelementptr i8, ptr %47, i64 128
-  %309 = getelementptr i8, ptr %47, i64 192
-  br label %310
-
-310:                                              ; preds = %284, %809
-  %311 = phi i64 [ 0, %284 ], [ %811, %809 ]
-  %312 = phi <8 x i64> [ zeroinitializer, %284 ], [ %602, %809 ]
-  %313 = sub nsw i64 %11, %311
-  %314 = sdiv i64 %313, 8
-  %315 = tail call i64 @llvm.smin.i64(i64 %285, i64 %314)
+303:                                              ; preds = %278, %227
+  %304 = phi <8 x i64> [ zeroinitializer, %227 ], [ %279, %278 ]
+  %305 = extractelement <8 x i64> %304, i64 0
+  %306 = icmp eq i64 %305, 0
+  %307 = extractelement <8 x i64> %304, i64 1
+  %308 = icmp eq i64 %307, 0
+  %309 = extractelement <8 x i64> %304, i64 2
+  %310 = icmp eq i64 %309, 0
+  %311 = extractelement <8 x i64> %304, i64 3
+  %312 = icmp eq i64 %311, 0
+  %313 = extractelement <8 x i64> %304, i64 4
+  %314 = icmp eq i64 %313, 0
+  %315 = extractelement <8 x i64> %304, i64 5
   %316 = icmp eq i64 %315, 0
-  %317 = select i1 %316, i64 %286, i64 %311
-  %318 = tail call i64 @llvm.umax.i64(i64 %315, i64 1)
-  %319 = load i64, ptr %176, align 8
-  %320 = mul nsw i64 %319, %317
-  %321 = getelementptr inbounds double, ptr %2, i64 %320
-  %322 = load i64, ptr %177, align 8
-  %323 = icmp eq i64 %322, 1
-  br i1 %323, label %327, label %324
+  %317 = extractelement <8 x i64> %304, i64 6
+  %318 = icmp eq i64 %317, 0
+  %319 = extractelement <8 x i64> %304, i64 7
+  %320 = icmp eq i64 %319, 0
+  %321 = select i1 %320, i1 %318, i1 false
+  %322 = select i1 %321, i1 %316, i1 false
+  %323 = select i1 %322, i1 %314, i1 false
+  %324 = select i1 %323, i1 %312, i1 false
+  %325 = select i1 %324, i1 %310, i1 false
+  %326 = select i1 %325, i1 %308, i1 false
+  %327 = select i1 %326, i1 %306, i1 false
+  br label %897
 
-324:                                              ; preds = %310
-  br i1 %287, label %325, label %458
+328:                                              ; preds = %204
+  %329 = getelementptr inbounds i8, ptr %0, i64 104
+  %330 = load i64, ptr %329, align 8
+  %331 = icmp ne i64 %330, 1
+  %332 = select i1 %331, i1 true, i1 %26
+  %333 = xor i1 %22, true
+  %334 = select i1 %332, i1 true, i1 %333
+  %335 = xor i1 %332, true
+  br i1 %334, label %340, label %336
 
-325:                                              ; preds = %324
-  %326 = icmp sgt i64 %318, 0
-  br label %439
+336:                                              ; preds = %328
+  %337 = getelementptr inbounds i8, ptr %0, i64 120
+  %338 = load i64, ptr %337, align 8
+  %339 = icmp eq i64 %338, 1
+  br label %340
 
-327:                                              ; preds = %310
-  %328 = icmp sgt i64 %318, 0
-  br i1 %328, label %329, label %458
+340:                                              ; preds = %328, %336
+  %341 = phi i1 [ %335, %328 ], [ %339, %336 ]
+  br i1 %341, label %344, label %342
 
-329:                                              ; preds = %327
-  %330 = shl i64 %319, 3
-  %331 = shl i64 %319, 5
-  %332 = mul i64 %319, 40
-  %333 = mul i64 %319, 48
-  %334 = mul i64 %319, 56
-  %335 = shl i64 %319, 4
-  %336 = mul i64 %319, 24
-  %337 = shl i64 %319, 4
-  %338 = mul i64 %319, 24
-  %339 = shl i64 %319, 5
-  %340 = mul i64 %319, 40
-  %341 = mul i64 %319, 48
-  %342 = mul i64 %319, 56
-  br label %343
+342:                                              ; preds = %340
+  %343 = load i64, ptr %40, align 8
+  br label %344
 
-343:                                              ; preds = %329, %436
-  %344 = phi i64 [ 0, %329 ], [ %437, %436 ]
-  %345 = mul i64 %330, %344
-  %346 = getelementptr inbounds double, ptr %321, i64 %345
-  %347 = mul i64 %288, %344
-  %348 = getelementptr inbounds i8, ptr %39, i64 %347
-  br i1 %289, label %349, label %353
+344:                                              ; preds = %342, %340
+  %345 = phi i64 [ %343, %342 ], [ 1, %340 ]
+  %346 = add nsw i64 %11, -8
+  %347 = icmp sgt i64 %13, 0
+  %348 = shl i64 %13, 6
+  %349 = icmp sgt i64 %13, 3
+  %350 = add nsw i64 %13, -4
+  %351 = getelementptr inbounds i8, ptr %0, i64 120
+  %352 = icmp sgt i64 %15, 0
+  %353 = shl i64 %15, 6
+  %354 = icmp sgt i64 %15, 3
+  %355 = add nsw i64 %15, -4
+  %356 = shl i64 %15, 6
+  %357 = shl i64 %17, 6
+  %358 = icmp slt i64 %13, 257
+  %359 = icmp sgt i64 %13, 0
+  %360 = icmp slt i64 %17, 257
+  %361 = icmp sgt i64 %17, 0
+  %362 = shl i64 %13, 6
+  %363 = icmp sgt i64 %17, 0
+  %364 = icmp sgt i64 %17, 3
+  %365 = add nsw i64 %17, -4
+  %366 = icmp sgt i64 %17, 0
+  %367 = getelementptr i8, ptr %47, i64 64
+  %368 = getelementptr i8, ptr %47, i64 128
+  %369 = getelementptr i8, ptr %47, i64 192
+  br label %394
 
-349:                                              ; preds = %343
-  %350 = getelementptr i8, ptr %348, i64 64
-  %351 = getelementptr i8, ptr %348, i64 128
-  %352 = getelementptr i8, ptr %348, i64 192
-  br label %356
+370:                                              ; preds = %893
+  %371 = extractelement <8 x i64> %686, i64 0
+  %372 = icmp eq i64 %371, 0
+  %373 = extractelement <8 x i64> %686, i64 1
+  %374 = icmp eq i64 %373, 0
+  %375 = extractelement <8 x i64> %686, i64 2
+  %376 = icmp eq i64 %375, 0
+  %377 = extractelement <8 x i64> %686, i64 3
+  %378 = icmp eq i64 %377, 0
+  %379 = extractelement <8 x i64> %686, i64 4
+  %380 = icmp eq i64 %379, 0
+  %381 = extractelement <8 x i64> %686, i64 5
+  %382 = icmp eq i64 %381, 0
+  %383 = extractelement <8 x i64> %686, i64 6
+  %384 = icmp eq i64 %383, 0
+  %385 = extractelement <8 x i64> %686, i64 7
+  %386 = icmp eq i64 %385, 0
+  %387 = select i1 %386, i1 %384, i1 false
+  %388 = select i1 %387, i1 %382, i1 false
+  %389 = select i1 %388, i1 %380, i1 false
+  %390 = select i1 %389, i1 %378, i1 false
+  %391 = select i1 %390, i1 %376, i1 false
+  %392 = select i1 %391, i1 %374, i1 false
+  %393 = select i1 %392, i1 %372, i1 false
+  br label %897
 
-353:                                              ; preds = %356, %343
-  %354 = phi i64 [ 0, %343 ], [ %403, %356 ]
-  %355 = icmp slt i64 %354, %13
-  br i1 %355, label %406, label %436
+394:                                              ; preds = %344, %893
+  %395 = phi i64 [ 0, %344 ], [ %895, %893 ]
+  %396 = phi <8 x i64> [ zeroinitializer, %344 ], [ %686, %893 ]
+  %397 = sub nsw i64 %11, %395
+  %398 = sdiv i64 %397, 8
+  %399 = tail call i64 @llvm.smin.i64(i64 %345, i64 %398)
+  %400 = icmp eq i64 %399, 0
+  %401 = select i1 %400, i64 %346, i64 %395
+  %402 = tail call i64 @llvm.umax.i64(i64 %399, i64 1)
+  %403 = load i64, ptr %176, align 8
+  %404 = mul nsw i64 %403, %401
+  %405 = getelementptr inbounds double, ptr %2, i64 %404
+  %406 = load i64, ptr %329, align 8
+  %407 = icmp eq i64 %406, 1
+  br i1 %407, label %411, label %408
 
-356:                                              ; preds = %349, %356
-  %357 = phi i64 [ %403, %356 ], [ 0, %349 ]
-  %358 = tail call i64 @llvm.smin.i64(i64 %357, i64 %290)
-  %359 = getelementptr double, ptr %346, i64 %358
-  %360 = getelementptr i8, ptr %359, i64 %331
-  %361 = load <4 x double>, ptr %360, align 8
-  %362 = getelementptr i8, ptr %359, i64 %332
-  %363 = load <4 x double>, ptr %362, align 8
-  %364 = shufflevector <4 x double> %361, <4 x double> %363, <4 x i32> <i32 1, i32 5, i32 3, i32 7>
-  %365 = getelementptr i8, ptr %359, i64 %333
-  %366 = load <4 x double>, ptr %365, align 8
-  %367 = getelementptr i8, ptr %359, i64 %334
-  %368 = load <4 x double>, ptr %367, align 8
-  %369 = shufflevector <4 x double> %366, <4 x double> %368, <4 x i32> <i32 1, i32 5, i32 3, i32 7>
-  %370 = shufflevector <4 x double> %364, <4 x double> %369, <4 x i32> <i32 2, i32 3, i32 6, i32 7>
-  %371 = shufflevector <4 x double> %361, <4 x double> %363, <4 x i32> <i32 0, i32 4, i32 2, i32 6>
-  %372 = shufflevector <4 x double> %366, <4 x double> %368, <4 x i32> <i32 0, i32 4, i32 2, i32 6>
-  %373 = shufflevector <4 x double> %371, <4 x double> %372, <4 x i32> <i32 2, i32 3, i32 6, i32 7>
-  %374 = shufflevector <4 x double> %364, <4 x double> %369, <4 x i32> <i32 0, i32 1, i32 4, i32 5>
-  %375 = shufflevector <4 x double> %371, <4 x double> %372, <4 x i32> <i32 0, i32 1, i32 4, i32 5>
-  %376 = load <4 x double>, ptr %359, align 8
-  %377 = getelementptr double, ptr %359, i64 %319
-  %378 = load <4 x double>, ptr %377, align 8
-  %379 = shufflevector <4 x double> %376, <4 x double> %378, <4 x i32> <i32 1, i32 5, i32 3, i32 7>
-  %380 = getelementptr i8, ptr %359, i64 %335
-  %381 = load <4 x double>, ptr %380, align 8
-  %382 = getelementptr i8, ptr %359, i64 %336
-  %383 = load <4 x double>, ptr %382, align 8
-  %384 = shufflevector <4 x double> %381, <4 x double> %383, <4 x i32> <i32 1, i32 5, i32 3, i32 7>
-  %385 = shufflevector <4 x double> %379, <4 x double> %384, <4 x i32> <i32 2, i32 3, i32 6, i32 7>
-  %386 = shufflevector <4 x double> %376, <4 x double> %378, <4 x i32> <i32 0, i32 4, i32 2, i32 6>
-  %387 = shufflevector <4 x double> %381, <4 x double> %383, <4 x i32> <i32 0, i32 4, i32 2, i32 6>
-  %388 = shufflevector <4 x double> %386, <4 x double> %387, <4 x i32> <i32 2, i32 3, i32 6, i32 7>
-  %389 = shufflevector <4 x double> %379, <4 x double> %384, <4 x i32> <i32 0, i32 1, i32 4, i32 5>
-  %390 = shufflevector <4 x double> %386, <4 x double> %387, <4 x i32> <i32 0, i32 1, i32 4, i32 5>
-  %391 = shufflevector <4 x double> %390, <4 x double> %375, <8 x i32> <i32 0, i32 1, i32 2, i32 3, i32 4, i32 5, i32 6, i32 7>
-  %392 = shl nsw i64 %358, 6
-  %393 = getelementptr inbounds i8, ptr %348, i64 %392
-  store <8 x double> %391, ptr %393, align 8
-  %394 = shufflevector <4 x double> %389, <4 x double> %374, <8 x i32> <i32 0, i32 1, i32 2, i32 3, i32 4, i32 5, i32 6, i32 7>
-  %395 = shl i64 %358, 6
-  %396 = getelementptr i8, ptr %350, i64 %395
-  store <8 x double> %394, ptr %396, align 8
-  %397 = shufflevector <4 x double> %388, <4 x double> %373, <8 x i32> <i32 0, i32 1, i32 2, i32 3, i32 4, i32 5, i32 6, i32 7>
-  %398 = shl i64 %358, 6
-  %399 = getelementptr i8, ptr %351, i64 %398
-  store <8 x double> %397, ptr %399, align 8
-  %400 = shufflevector <4 x double> %385, <4 x double> %370, <8 x i32> <i32 0, i32 1, i32 2, i32 3, i32 4, i32 5, i32 6, i32 7>
-  %401 = shl i64 %358, 6
-  %402 = getelementptr i8, ptr %352, i64 %401
-  store <8 x double> %400, ptr %402, align 8
-  %403 = add nsw i64 %358, 4
-  %404 = icmp slt i64 %403, %13
-  %405 = select i1 %289, i1 %404, i1 false
-  br i1 %405, label %356, label %353, !llvm.loop !15
+408:                                              ; preds = %394
+  br i1 %347, label %409, label %542
 
-406:                                              ; preds = %353, %406
-  %407 = phi i64 [ %434, %406 ], [ %354, %353 ]
-  %408 = getelementptr double, ptr %346, i64 %407
-  %409 = load double, ptr %408, align 8
-  %410 = insertelement <8 x double> poison, double %409, i64 0
-  %411 = getelementptr double, ptr %408, i64 %319
-  %412 = load double, ptr %411, align 8
-  %413 = insertelement <8 x double> %410, double %412, i64 1
-  %414 = getelementptr i8, ptr %408, i64 %337
-  %415 = load double, ptr %414, align 8
-  %416 = insertelement <8 x double> %413, double %415, i64 2
-  %417 = getelementptr i8, ptr %408, i64 %338
-  %418 = load double, ptr %417, align 8
-  %419 = insertelement <8 x double> %416, double %418, i64 3
-  %420 = getelementptr i8, ptr %408, i64 %339
-  %421 = load double, ptr %420, align 8
-  %422 = insertelement <8 x double> %419, double %421, i64 4
-  %423 = getelementptr i8, ptr %408, i64 %340
-  %424 = load double, ptr %423, align 8
-  %425 = insertelement <8 x double> %422, double %424, i64 5
-  %426 = getelementptr i8, ptr %408, i64 %341
-  %427 = load double, ptr %426, align 8
-  %428 = insertelement <8 x double> %425, double %427, i64 6
-  %429 = getelementptr i8, ptr %408, i64 %342
-  %430 = load double, ptr %429, align 8
-  %431 = insertelement <8 x double> %428, double %430, i64 7
-  %432 = shl nsw i64 %407, 6
-  %433 = getelementptr inbounds i8, ptr %348, i64 %432
-  store <8 x double> %431, ptr %433, align 8
-  %434 = add nsw i64 %407, 1
-  %435 = icmp eq i64 %434, %13
-  br i1 %435, label %436, label %406, !llvm.loop !16
+409:                                              ; preds = %408
+  %410 = icmp sgt i64 %402, 0
+  br label %523
 
-436:                                              ; preds = %406, %353
-  %437 = add nuw nsw i64 %344, 1
-  %438 = icmp eq i64 %437, %318
-  br i1 %438, label %458, label %343, !llvm.loop !17
+411:                                              ; preds = %394
+  %412 = icmp sgt i64 %402, 0
+  br i1 %412, label %413, label %542
 
-439:                                              ; preds = %325, %444
-  %440 = phi i64 [ 0, %325 ], [ %445, %444 ]
-  br i1 %326, label %441, label %444
+413:                                              ; preds = %411
+  %414 = shl i64 %403, 3
+  %415 = shl i64 %403, 5
+  %416 = mul i64 %403, 40
+  %417 = mul i64 %403, 48
+  %418 = mul i64 %403, 56
+  %419 = shl i64 %403, 4
+  %420 = mul i64 %403, 24
+  %421 = shl i64 %403, 4
+  %422 = mul i64 %403, 24
+  %423 = shl i64 %403, 5
+  %424 = mul i64 %403, 40
+  %425 = mul i64 %403, 48
+  %426 = mul i64 %403, 56
+  br label %427
 
-441:                                              ; preds = %439
-  %442 = mul nsw i64 %440, %322
-  %443 = getelementptr inbounds double, ptr %321, i64 %442
-  br label %447
+427:                                              ; preds = %413, %520
+  %428 = phi i64 [ 0, %413 ], [ %521, %520 ]
+  %429 = mul i64 %414, %428
+  %430 = getelementptr inbounds double, ptr %405, i64 %429
+  %431 = mul i64 %348, %428
+  %432 = getelementptr inbounds i8, ptr %39, i64 %431
+  br i1 %349, label %433, label %437
 
-444:                                              ; preds = %447, %439
-  %445 = add nuw nsw i64 %440, 1
-  %446 = icmp eq i64 %445, %13
-  br i1 %446, label %458, label %439, !llvm.loop !18
+433:                                              ; preds = %427
+  %434 = getelementptr i8, ptr %432, i64 64
+  %435 = getelementptr i8, ptr %432, i64 128
+  %436 = getelementptr i8, ptr %432, i64 192
+  br label %440
 
-447:                                              ; preds = %441, %447
-  %448 = phi i64 [ 0, %441 ], [ %456, %447 ]
-  %449 = shl nsw i64 %448, 6
-  %450 = getelementptr inbounds i8, ptr %443, i64 %449
-  %451 = load <8 x double>, ptr %450, align 8
-  %452 = mul nuw nsw i64 %448, %13
-  %453 = add nuw nsw i64 %452, %440
-  %454 = shl nsw i64 %453, 6
-  %455 = getelementptr inbounds i8, ptr %39, i64 %454
-  store <8 x double> %451, ptr %455, align 64
-  %456 = add nuw nsw i64 %448, 1
-  %457 = icmp eq i64 %456, %318
-  br i1 %457, label %444, label %447, !llvm.loop !19
+437:                                              ; preds = %440, %427
+  %438 = phi i64 [ 0, %427 ], [ %487, %440 ]
+  %439 = icmp slt i64 %438, %13
+  br i1 %439, label %490, label %520
 
-458:                                              ; preds = %444, %436, %324, %327
-  br i1 %22, label %459, label %599
+440:                                              ; preds = %433, %440
+  %441 = phi i64 [ %487, %440 ], [ 0, %433 ]
+  %442 = tail call i64 @llvm.smin.i64(i64 %441, i64 %350)
+  %443 = getelementptr double, ptr %430, i64 %442
+  %444 = getelementptr i8, ptr %443, i64 %415
+  %445 = load <4 x double>, ptr %444, align 8
+  %446 = getelementptr i8, ptr %443, i64 %416
+  %447 = load <4 x double>, ptr %446, align 8
+  %448 = shufflevector <4 x double> %445, <4 x double> %447, <4 x i32> <i32 1, i32 5, i32 3, i32 7>
+  %449 = getelementptr i8, ptr %443, i64 %417
+  %450 = load <4 x double>, ptr %449, align 8
+  %451 = getelementptr i8, ptr %443, i64 %418
+  %452 = load <4 x double>, ptr %451, align 8
+  %453 = shufflevector <4 x double> %450, <4 x double> %452, <4 x i32> <i32 1, i32 5, i32 3, i32 7>
+  %454 = shufflevector <4 x double> %448, <4 x double> %453, <4 x i32> <i32 2, i32 3, i32 6, i32 7>
+  %455 = shufflevector <4 x double> %445, <4 x double> %447, <4 x i32> <i32 0, i32 4, i32 2, i32 6>
+  %456 = shufflevector <4 x double> %450, <4 x double> %452, <4 x i32> <i32 0, i32 4, i32 2, i32 6>
+  %457 = shufflevector <4 x double> %455, <4 x double> %456, <4 x i32> <i32 2, i32 3, i32 6, i32 7>
+  %458 = shufflevector <4 x double> %448, <4 x double> %453, <4 x i32> <i32 0, i32 1, i32 4, i32 5>
+  %459 = shufflevector <4 x double> %455, <4 x double> %456, <4 x i32> <i32 0, i32 1, i32 4, i32 5>
+  %460 = load <4 x double>, ptr %443, align 8
+  %461 = getelementptr double, ptr %443, i64 %403
+  %462 = load <4 x double>, ptr %461, align 8
+  %463 = shufflevector <4 x double> %460, <4 x double> %462, <4 x i32> <i32 1, i32 5, i32 3, i32 7>
+  %464 = getelementptr i8, ptr %443, i64 %419
+  %465 = load <4 x double>, ptr %464, align 8
+  %466 = getelementptr i8, ptr %443, i64 %420
+  %467 = load <4 x double>, ptr %466, align 8
+  %468 = shufflevector <4 x double> %465, <4 x double> %467, <4 x i32> <i32 1, i32 5, i32 3, i32 7>
+  %469 = shufflevector <4 x double> %463, <4 x double> %468, <4 x i32> <i32 2, i32 3, i32 6, i32 7>
+  %470 = shufflevector <4 x double> %460, <4 x double> %462, <4 x i32> <i32 0, i32 4, i32 2, i32 6>
+  %471 = shufflevector <4 x double> %465, <4 x double> %467, <4 x i32> <i32 0, i32 4, i32 2, i32 6>
+  %472 = shufflevector <4 x double> %470, <4 x double> %471, <4 x i32> <i32 2, i32 3, i32 6, i32 7>
+  %473 = shufflevector <4 x double> %463, <4 x double> %468, <4 x i32> <i32 0, i32 1, i32 4, i32 5>
+  %474 = shufflevector <4 x double> %470, <4 x double> %471, <4 x i32> <i32 0, i32 1, i32 4, i32 5>
+  %475 = shufflevector <4 x double> %474, <4 x double> %459, <8 x i32> <i32 0, i32 1, i32 2, i32 3, i32 4, i32 5, i32 6, i32 7>
+  %476 = shl nsw i64 %442, 6
+  %477 = getelementptr inbounds i8, ptr %432, i64 %476
+  store <8 x double> %475, ptr %477, align 8
+  %478 = shufflevector <4 x double> %473, <4 x double> %458, <8 x i32> <i32 0, i32 1, i32 2, i32 3, i32 4, i32 5, i32 6, i32 7>
+  %479 = shl i64 %442, 6
+  %480 = getelementptr i8, ptr %434, i64 %479
+  store <8 x double> %478, ptr %480, align 8
+  %481 = shufflevector <4 x double> %472, <4 x double> %457, <8 x i32> <i32 0, i32 1, i32 2, i32 3, i32 4, i32 5, i32 6, i32 7>
+  %482 = shl i64 %442, 6
+  %483 = getelementptr i8, ptr %435, i64 %482
+  store <8 x double> %481, ptr %483, align 8
+  %484 = shufflevector <4 x double> %469, <4 x double> %454, <8 x i32> <i32 0, i32 1, i32 2, i32 3, i32 4, i32 5, i32 6, i32 7>
+  %485 = shl i64 %442, 6
+  %486 = getelementptr i8, ptr %436, i64 %485
+  store <8 x double> %484, ptr %486, align 8
+  %487 = add nsw i64 %442, 4
+  %488 = icmp slt i64 %487, %13
+  %489 = select i1 %349, i1 %488, i1 false
+  br i1 %489, label %440, label %437, !llvm.loop !17
 
-459:                                              ; preds = %458
-  %460 = load i64, ptr %18, align 8
-  %461 = mul nsw i64 %460, %317
-  %462 = getelementptr inbounds double, ptr %3, i64 %461
-  %463 = load i64, ptr %291, align 8
-  %464 = icmp eq i64 %463, 1
-  br i1 %464, label %468, label %465
+490:                                              ; preds = %437, %490
+  %491 = phi i64 [ %518, %490 ], [ %438, %437 ]
+  %492 = getelementptr double, ptr %430, i64 %491
+  %493 = load double, ptr %492, align 8
+  %494 = insertelement <8 x double> poison, double %493, i64 0
+  %495 = getelementptr double, ptr %492, i64 %403
+  %496 = load double, ptr %495, align 8
+  %497 = insertelement <8 x double> %494, double %496, i64 1
+  %498 = getelementptr i8, ptr %492, i64 %421
+  %499 = load double, ptr %498, align 8
+  %500 = insertelement <8 x double> %497, double %499, i64 2
+  %501 = getelementptr i8, ptr %492, i64 %422
+  %502 = load double, ptr %501, align 8
+  %503 = insertelement <8 x double> %500, double %502, i64 3
+  %504 = getelementptr i8, ptr %492, i64 %423
+  %505 = load double, ptr %504, align 8
+  %506 = insertelement <8 x double> %503, double %505, i64 4
+  %507 = getelementptr i8, ptr %492, i64 %424
+  %508 = load double, ptr %507, align 8
+  %509 = insertelement <8 x double> %506, double %508, i64 5
+  %510 = getelementptr i8, ptr %492, i64 %425
+  %511 = load double, ptr %510, align 8
+  %512 = insertelement <8 x double> %509, double %511, i64 6
+  %513 = getelementptr i8, ptr %492, i64 %426
+  %514 = load double, ptr %513, align 8
+  %515 = insertelement <8 x double> %512, double %514, i64 7
+  %516 = shl nsw i64 %491, 6
+  %517 = getelementptr inbounds i8, ptr %432, i64 %516
+  store <8 x double> %515, ptr %517, align 8
+  %518 = add nsw i64 %491, 1
+  %519 = icmp eq i64 %518, %13
+  br i1 %519, label %520, label %490, !llvm.loop !18
 
-465:                                              ; preds = %459
-  br i1 %292, label %466, label %599
+520:                                              ; preds = %490, %437
+  %521 = add nuw nsw i64 %428, 1
+  %522 = icmp eq i64 %521, %402
+  br i1 %522, label %542, label %427, !llvm.loop !19
 
-466:                                              ; preds = %465
-  %467 = icmp sgt i64 %318, 0
-  br label %580
+523:                                              ; preds = %409, %528
+  %524 = phi i64 [ 0, %409 ], [ %529, %528 ]
+  br i1 %410, label %525, label %528
 
-468:                                              ; preds = %459
-  %469 = icmp sgt i64 %318, 0
-  br i1 %469, label %470, label %599
+525:                                              ; preds = %523
+  %526 = mul nsw i64 %524, %406
+  %527 = getelementptr inbounds double, ptr %405, i64 %526
+  br label %531
 
-470:                                              ; preds = %468
-  %471 = shl i64 %460, 3
-  %472 = shl i64 %460, 5
-  %473 = mul i64 %460, 40
-  %474 = mul i64 %460, 48
-  %475 = mul i64 %460, 56
-  %476 = shl i64 %460, 4
-  %477 = mul i64 %460, 24
-  %478 = shl i64 %460, 4
-  %479 = mul i64 %460, 24
-  %480 = shl i64 %460, 5
-  %481 = mul i64 %460, 40
-  %482 = mul i64 %460, 48
-  %483 = mul i64 %460, 56
-  br label %484
+528:                                              ; preds = %531, %523
+  %529 = add nuw nsw i64 %524, 1
+  %530 = icmp eq i64 %529, %13
+  br i1 %530, label %542, label %523, !llvm.loop !20
 
-484:                                              ; preds = %470, %577
-  %485 = phi i64 [ 0, %470 ], [ %578, %577 ]
-  %486 = mul i64 %471, %485
-  %487 = getelementptr inbounds double, ptr %462, i64 %486
-  %488 = mul i64 %293, %485
-  %489 = getelementptr inbounds i8, ptr %44, i64 %488
-  br i1 %294, label %490, label %494
+531:                                              ; preds = %525, %531
+  %532 = phi i64 [ 0, %525 ], [ %540, %531 ]
+  %533 = shl nsw i64 %532, 6
+  %534 = getelementptr inbounds i8, ptr %527, i64 %533
+  %535 = load <8 x double>, ptr %534, align 8
+  %536 = mul nuw nsw i64 %532, %13
+  %537 = add nuw nsw i64 %536, %524
+  %538 = shl nsw i64 %537, 6
+  %539 = getelementptr inbounds i8, ptr %39, i64 %538
+  store <8 x double> %535, ptr %539, align 64
+  %540 = add nuw nsw i64 %532, 1
+  %541 = icmp eq i64 %540, %402
+  br i1 %541, label %528, label %531, !llvm.loop !21
 
-490:                                              ; preds = %484
-  %491 = getelementptr i8, ptr %489, i64 64
-  %492 = getelementptr i8, ptr %489, i64 128
-  %493 = getelementptr i8, ptr %489, i64 192
-  br label %497
+542:                                              ; preds = %528, %520, %408, %411
+  br i1 %22, label %543, label %683
 
-494:                                              ; preds = %497, %484
-  %495 = phi i64 [ 0, %484 ], [ %544, %497 ]
-  %496 = icmp slt i64 %495, %15
-  br i1 %496, label %547, label %577
+543:                                              ; preds = %542
+  %544 = load i64, ptr %18, align 8
+  %545 = mul nsw i64 %544, %401
+  %546 = getelementptr inbounds double, ptr %3, i64 %545
+  %547 = load i64, ptr %351, align 8
+  %548 = icmp eq i64 %547, 1
+  br i1 %548, label %552, label %549
 
-497:                                              ; preds = %490, %497
-  %498 = phi i64 [ %544, %497 ], [ 0, %490 ]
-  %499 = tail call i64 @llvm.smin.i64(i64 %498, i64 %295)
-  %500 = getelementptr double, ptr %487, i64 %499
-  %501 = getelementptr i8, ptr %500, i64 %472
-  %502 = load <4 x double>, ptr %501, align 8
-  %503 = getelementptr i8, ptr %500, i64 %473
-  %504 = load <4 x double>, ptr %503, align 8
-  %505 = shufflevector <4 x double> %502, <4 x double> %504, <4 x i32> <i32 1, i32 5, i32 3, i32 7>
-  %506 = getelementptr i8, ptr %500, i64 %474
-  %507 = load <4 x double>, ptr %506, align 8
-  %508 = getelementptr i8, ptr %500, i64 %475
-  %509 = load <4 x double>, ptr %508, align 8
-  %510 = shufflevector <4 x double> %507, <4 x double> %509, <4 x i32> <i32 1, i32 5, i32 3, i32 7>
-  %511 = shufflevector <4 x double> %505, <4 x double> %510, <4 x i32> <i32 2, i32 3, i32 6, i32 7>
-  %512 = shufflevector <4 x double> %502, <4 x double> %504, <4 x i32> <i32 0, i32 4, i32 2, i32 6>
-  %513 = shufflevector <4 x double> %507, <4 x double> %509, <4 x i32> <i32 0, i32 4, i32 2, i32 6>
-  %514 = shufflevector <4 x double> %512, <4 x double> %513, <4 x i32> <i32 2, i32 3, i32 6, i32 7>
-  %515 = shufflevector <4 x double> %505, <4 x double> %510, <4 x i32> <i32 0, i32 1, i32 4, i32 5>
-  %516 = shufflevector <4 x double> %512, <4 x double> %513, <4 x i32> <i32 0, i32 1, i32 4, i32 5>
-  %517 = load <4 x double>, ptr %500, align 8
-  %518 = getelementptr double, ptr %500, i64 %460
-  %519 = load <4 x double>, ptr %518, align 8
-  %520 = shufflevector <4 x double> %517, <4 x double> %519, <4 x i32> <i32 1, i32 5, i32 3, i32 7>
-  %521 = getelementptr i8, ptr %500, i64 %476
-  %522 = load <4 x double>, ptr %521, align 8
-  %523 = getelementptr i8, ptr %500, i64 %477
-  %524 = load <4 x double>, ptr %523, align 8
-  %525 = shufflevector <4 x double> %522, <4 x double> %524, <4 x i32> <i32 1, i32 5, i32 3, i32 7>
-  %526 = shufflevector <4 x double> %520, <4 x double> %525, <4 x i32> <i32 2, i32 3, i32 6, i32 7>
-  %527 = shufflevector <4 x double> %517, <4 x double> %519, <4 x i32> <i32 0, i32 4, i32 2, i32 6>
-  %528 = shufflevector <4 x double> %522, <4 x double> %524, <4 x i32> <i32 0, i32 4, i32 2, i32 6>
-  %529 = shufflevector <4 x double> %527, <4 x double> %528, <4 x i32> <i32 2, i32 3, i32 6, i32 7>
-  %530 = shufflevector <4 x double> %520, <4 x double> %525, <4 x i32> <i32 0, i32 1, i32 4, i32 5>
-  %531 = shufflevector <4 x double> %527, <4 x double> %528, <4 x i32> <i32 0, i32 1, i32 4, i32 5>
-  %532 = shufflevector <4 x double> %531, <4 x double> %516, <8 x i32> <i32 0, i32 1, i32 2, i32 3, i32 4, i32 5, i32 6, i32 7>
-  %533 = shl nsw i64 %499, 6
-  %534 = getelementptr inbounds i8, ptr %489, i64 %533
-  store <8 x double> %532, ptr %534, align 8
-  %535 = shufflevector <4 x double> %530, <4 x double> %515, <8 x i32> <i32 0, i32 1, i32 2, i32 3, i32 4, i32 5, i32 6, i32 7>
-  %536 = shl i64 %499, 6
-  %537 = getelementptr i8, ptr %491, i64 %536
-  store <8 x double> %535, ptr %537, align 8
-  %538 = shufflevector <4 x double> %529, <4 x double> %514, <8 x i32> <i32 0, i32 1, i32 2, i32 3, i32 4, i32 5, i32 6, i32 7>
-  %539 = shl i64 %499, 6
-  %540 = getelementptr i8, ptr %492, i64 %539
-  store <8 x double> %538, ptr %540, align 8
-  %541 = shufflevector <4 x double> %526, <4 x double> %511, <8 x i32> <i32 0, i32 1, i32 2, i32 3, i32 4, i32 5, i32 6, i32 7>
-  %542 = shl i64 %499, 6
-  %543 = getelementptr i8, ptr %493, i64 %542
-  store <8 x double> %541, ptr %543, align 8
-  %544 = add nsw i64 %499, 4
-  %545 = icmp slt i64 %544, %15
-  %546 = select i1 %294, i1 %545, i1 false
-  br i1 %546, label %497, label %494, !llvm.loop !15
+549:                                              ; preds = %543
+  br i1 %352, label %550, label %683
 
-547:                                              ; preds = %494, %547
-  %548 = phi i64 [ %575, %547 ], [ %495, %494 ]
-  %549 = getelementptr double, ptr %487, i64 %548
-  %550 = load double, ptr %549, align 8
-  %551 = insertelement <8 x double> poison, double %550, i64 0
-  %552 = getelementptr double, ptr %549, i64 %460
-  %553 = load double, ptr %552, align 8
-  %554 = insertelement <8 x double> %551, double %553, i64 1
-  %555 = getelementptr i8, ptr %549, i64 %478
-  %556 = load double, ptr %555, align 8
-  %557 = insertelement <8 x double> %554, double %556, i64 2
-  %558 = getelementptr i8, ptr %549, i64 %479
-  %559 = load double, ptr %558, align 8
-  %560 = insertelement <8 x double> %557, double %559, i64 3
-  %561 = getelementptr i8, ptr %549, i64 %480
-  %562 = load double, ptr %561, align 8
-  %563 = insertelement <8 x double> %560, double %562, i64 4
-  %564 = getelementptr i8, ptr %549, i64 %481
-  %565 = load double, ptr %564, align 8
-  %566 = insertelement <8 x double> %563, double %565, i64 5
-  %567 = getelementptr i8, ptr %549, i64 %482
-  %568 = load double, ptr %567, align 8
-  %569 = insertelement <8 x double> %566, double %568, i64 6
-  %570 = getelementptr i8, ptr %549, i64 %483
-  %571 = load double, ptr %570, align 8
-  %572 = insertelement <8 x double> %569, double %571, i64 7
-  %573 = shl nsw i64 %548, 6
-  %574 = getelementptr inbounds i8, ptr %489, i64 %573
-  store <8 x double> %572, ptr %574, align 8
-  %575 = add nsw i64 %548, 1
-  %576 = icmp eq i64 %575, %15
-  br i1 %576, label %577, label %547, !llvm.loop !16
+550:                                              ; preds = %549
+  %551 = icmp sgt i64 %402, 0
+  br label %664
 
-577:                                              ; preds = %547, %494
-  %578 = add nuw nsw i64 %485, 1
-  %579 = icmp eq i64 %578, %318
-  br i1 %579, label %599, label %484, !llvm.loop !17
+552:                                              ; preds = %543
+  %553 = icmp sgt i64 %402, 0
+  br i1 %553, label %554, label %683
 
-580:                                              ; preds = %466, %585
-  %581 = phi i64 [ 0, %466 ], [ %586, %585 ]
-  br i1 %467, label %582, label %585
+554:                                              ; preds = %552
+  %555 = shl i64 %544, 3
+  %556 = shl i64 %544, 5
+  %557 = mul i64 %544, 40
+  %558 = mul i64 %544, 48
+  %559 = mul i64 %544, 56
+  %560 = shl i64 %544, 4
+  %561 = mul i64 %544, 24
+  %562 = shl i64 %544, 4
+  %563 = mul i64 %544, 24
+  %564 = shl i64 %544, 5
+  %565 = mul i64 %544, 40
+  %566 = mul i64 %544, 48
+  %567 = mul i64 %544, 56
+  br label %568
 
-582:                                              ; preds = %580
-  %583 = mul nsw i64 %581, %463
-  %584 = getelementptr inbounds double, ptr %462, i64 %583
-  br label %588
+568:                                              ; preds = %554, %661
+  %569 = phi i64 [ 0, %554 ], [ %662, %661 ]
+  %570 = mul i64 %555, %569
+  %571 = getelementptr inbounds double, ptr %546, i64 %570
+  %572 = mul i64 %353, %569
+  %573 = getelementptr inbounds i8, ptr %44, i64 %572
+  br i1 %354, label %574, label %578
 
-585:                                              ; preds = %588, %580
-  %586 = add nuw nsw i64 %581, 1
-  %587 = icmp eq i64 %586, %15
-  br i1 %587, label %599, label %580, !llvm.loop !18
+574:                                              ; preds = %568
+  %575 = getelementptr i8, ptr %573, i64 64
+  %576 = getelementptr i8, ptr %573, i64 128
+  %577 = getelementptr i8, ptr %573, i64 192
+  br label %581
 
-588:                                              ; preds = %582, %588
-  %589 = phi i64 [ 0, %582 ], [ %597, %588 ]
-  %590 = shl nsw i64 %589, 6
-  %591 = getelementptr inbounds i8, ptr %584, i64 %590
-  %592 = load <8 x double>, ptr %591, align 8
-  %593 = mul nuw nsw i64 %589, %15
-  %594 = add nuw nsw i64 %593, %581
-  %595 = shl nsw i64 %594, 6
-  %596 = getelementptr inbounds i8, ptr %44, i64 %595
-  store <8 x double> %592, ptr %596, align 8
-  %597 = add nuw nsw i64 %589, 1
-  %598 = icmp eq i64 %597, %318
-  br i1 %598, label %585, label %588, !llvm.loop !19
+578:                                              ; preds = %581, %568
+  %579 = phi i64 [ 0, %568 ], [ %628, %581 ]
+  %580 = icmp slt i64 %579, %15
+  br i1 %580, label %631, label %661
 
-599:                                              ; preds = %585, %577, %465, %468, %458
-  %600 = icmp sgt i64 %318, 0
-  br i1 %600, label %603, label %601
+581:                                              ; preds = %574, %581
+  %582 = phi i64 [ %628, %581 ], [ 0, %574 ]
+  %583 = tail call i64 @llvm.smin.i64(i64 %582, i64 %355)
+  %584 = getelementptr double, ptr %571, i64 %583
+  %585 = getelementptr i8, ptr %584, i64 %556
+  %586 = load <4 x double>, ptr %585, align 8
+  %587 = getelementptr i8, ptr %584, i64 %557
+  %588 = load <4 x double>, ptr %587, align 8
+  %589 = shufflevector <4 x double> %586, <4 x double> %588, <4 x i32> <i32 1, i32 5, i32 3, i32 7>
+  %590 = getelementptr i8, ptr %584, i64 %558
+  %591 = load <4 x double>, ptr %590, align 8
+  %592 = getelementptr i8, ptr %584, i64 %559
+  %593 = load <4 x double>, ptr %592, align 8
+  %594 = shufflevector <4 x double> %591, <4 x double> %593, <4 x i32> <i32 1, i32 5, i32 3, i32 7>
+  %595 = shufflevector <4 x double> %589, <4 x double> %594, <4 x i32> <i32 2, i32 3, i32 6, i32 7>
+  %596 = shufflevector <4 x double> %586, <4 x double> %588, <4 x i32> <i32 0, i32 4, i32 2, i32 6>
+  %597 = shufflevector <4 x double> %591, <4 x double> %593, <4 x i32> <i32 0, i32 4, i32 2, i32 6>
+  %598 = shufflevector <4 x double> %596, <4 x double> %597, <4 x i32> <i32 2, i32 3, i32 6, i32 7>
+  %599 = shufflevector <4 x double> %589, <4 x double> %594, <4 x i32> <i32 0, i32 1, i32 4, i32 5>
+  %600 = shufflevector <4 x double> %596, <4 x double> %597, <4 x i32> <i32 0, i32 1, i32 4, i32 5>
+  %601 = load <4 x double>, ptr %584, align 8
+  %602 = getelementptr double, ptr %584, i64 %544
+  %603 = load <4 x double>, ptr %602, align 8
+  %604 = shufflevector <4 x double> %601, <4 x double> %603, <4 x i32> <i32 1, i32 5, i32 3, i32 7>
+  %605 = getelementptr i8, ptr %584, i64 %560
+  %606 = load <4 x double>, ptr %605, align 8
+  %607 = getelementptr i8, ptr %584, i64 %561
+  %608 = load <4 x double>, ptr %607, align 8
+  %609 = shufflevector <4 x double> %606, <4 x double> %608, <4 x i32> <i32 1, i32 5, i32 3, i32 7>
+  %610 = shufflevector <4 x double> %604, <4 x double> %609, <4 x i32> <i32 2, i32 3, i32 6, i32 7>
+  %611 = shufflevector <4 x double> %601, <4 x double> %603, <4 x i32> <i32 0, i32 4, i32 2, i32 6>
+  %612 = shufflevector <4 x double> %606, <4 x double> %608, <4 x i32> <i32 0, i32 4, i32 2, i32 6>
+  %613 = shufflevector <4 x double> %611, <4 x double> %612, <4 x i32> <i32 2, i32 3, i32 6, i32 7>
+  %614 = shufflevector <4 x double> %604, <4 x double> %609, <4 x i32> <i32 0, i32 1, i32 4, i32 5>
+  %615 = shufflevector <4 x double> %611, <4 x double> %612, <4 x i32> <i32 0, i32 1, i32 4, i32 5>
+  %616 = shufflevector <4 x double> %615, <4 x double> %600, <8 x i32> <i32 0, i32 1, i32 2, i32 3, i32 4, i32 5, i32 6, i32 7>
+  %617 = shl nsw i64 %583, 6
+  %618 = getelementptr inbounds i8, ptr %573, i64 %617
+  store <8 x double> %616, ptr %618, align 8
+  %619 = shufflevector <4 x double> %614, <4 x double> %599, <8 x i32> <i32 0, i32 1, i32 2, i32 3, i32 4, i32 5, i32 6, i32 7>
+  %620 = shl i64 %583, 6
+  %621 = getelementptr i8, ptr %575, i64 %620
+  store <8 x double> %619, ptr %621, align 8
+  %622 = shufflevector <4 x double> %613, <4 x double> %598, <8 x i32> <i32 0, i32 1, i32 2, i32 3, i32 4, i32 5, i32 6, i32 7>
+  %623 = shl i64 %583, 6
+  %624 = getelementptr i8, ptr %576, i64 %623
+  store <8 x double> %622, ptr %624, align 8
+  %625 = shufflevector <4 x double> %610, <4 x double> %595, <8 x i32> <i32 0, i32 1, i32 2, i32 3, i32 4, i32 5, i32 6, i32 7>
+  %626 = shl i64 %583, 6
+  %627 = getelementptr i8, ptr %577, i64 %626
+  store <8 x double> %625, ptr %627, align 8
+  %628 = add nsw i64 %583, 4
+  %629 = icmp slt i64 %628, %15
+  %630 = select i1 %354, i1 %629, i1 false
+  br i1 %630, label %581, label %578, !llvm.loop !17
 
-601:                                              ; preds = %782, %599
-  %602 = phi <8 x i64> [ %312, %599 ], [ %687, %782 ]
-  br i1 %26, label %809, label %785
+631:                                              ; preds = %578, %631
+  %632 = phi i64 [ %659, %631 ], [ %579, %578 ]
+  %633 = getelementptr double, ptr %571, i64 %632
+  %634 = load double, ptr %633, align 8
+  %635 = insertelement <8 x double> poison, double %634, i64 0
+  %636 = getelementptr double, ptr %633, i64 %544
+  %637 = load double, ptr %636, align 8
+  %638 = insertelement <8 x double> %635, double %637, i64 1
+  %639 = getelementptr i8, ptr %633, i64 %562
+  %640 = load double, ptr %639, align 8
+  %641 = insertelement <8 x double> %638, double %640, i64 2
+  %642 = getelementptr i8, ptr %633, i64 %563
+  %643 = load double, ptr %642, align 8
+  %644 = insertelement <8 x double> %641, double %643, i64 3
+  %645 = getelementptr i8, ptr %633, i64 %564
+  %646 = load double, ptr %645, align 8
+  %647 = insertelement <8 x double> %644, double %646, i64 4
+  %648 = getelementptr i8, ptr %633, i64 %565
+  %649 = load double, ptr %648, align 8
+  %650 = insertelement <8 x double> %647, double %649, i64 5
+  %651 = getelementptr i8, ptr %633, i64 %566
+  %652 = load double, ptr %651, align 8
+  %653 = insertelement <8 x double> %650, double %652, i64 6
+  %654 = getelementptr i8, ptr %633, i64 %567
+  %655 = load double, ptr %654, align 8
+  %656 = insertelement <8 x double> %653, double %655, i64 7
+  %657 = shl nsw i64 %632, 6
+  %658 = getelementptr inbounds i8, ptr %573, i64 %657
+  store <8 x double> %656, ptr %658, align 8
+  %659 = add nsw i64 %632, 1
+  %660 = icmp eq i64 %659, %15
+  br i1 %660, label %661, label %631, !llvm.loop !18
 
-603:                                              ; preds = %599, %782
-  %604 = phi i64 [ %783, %782 ], [ 0, %599 ]
-  %605 = phi <8 x i64> [ %687, %782 ], [ %312, %599 ]
-  %606 = shl nsw i64 %604, 3
-  %607 = add nsw i64 %606, %317
-  %608 = mul i64 %296, %604
-  %609 = select i1 %20, i64 %608, i64 0
-  %610 = getelementptr inbounds i8, ptr %44, i64 %609
-  %611 = mul i64 %297, %604
-  %612 = select i1 %26, i64 0, i64 %611
-  %613 = getelementptr inbounds i8, ptr %47, i64 %612
-  %614 = add nsw i64 %607, 16
-  %615 = icmp sle i64 %614, %11
-  %616 = select i1 %26, i1 %615, i1 false
-  br i1 %616, label %617, label %657
+661:                                              ; preds = %631, %578
+  %662 = add nuw nsw i64 %569, 1
+  %663 = icmp eq i64 %662, %402
+  br i1 %663, label %683, label %568, !llvm.loop !19
 
-617:                                              ; preds = %603
-  %618 = add nsw i64 %607, 8
-  %619 = load i64, ptr %177, align 8
-  %620 = icmp eq i64 %619, 1
-  %621 = select i1 %620, i1 %298, i1 false
-  br i1 %621, label %622, label %639
+664:                                              ; preds = %550, %669
+  %665 = phi i64 [ 0, %550 ], [ %670, %669 ]
+  br i1 %551, label %666, label %669
 
-622:                                              ; preds = %617, %630
-  %623 = phi i64 [ %631, %630 ], [ 0, %617 ]
-  br i1 %299, label %624, label %630
+666:                                              ; preds = %664
+  %667 = mul nsw i64 %665, %547
+  %668 = getelementptr inbounds double, ptr %546, i64 %667
+  br label %672
 
-624:                                              ; preds = %622
-  %625 = load i64, ptr %176, align 8
-  %626 = mul nsw i64 %625, %618
-  %627 = getelementptr inbounds double, ptr %2, i64 %626
-  %628 = mul nsw i64 %625, %623
-  %629 = getelementptr inbounds double, ptr %627, i64 %628
-  br label %634
+669:                                              ; preds = %672, %664
+  %670 = add nuw nsw i64 %665, 1
+  %671 = icmp eq i64 %670, %15
+  br i1 %671, label %683, label %664, !llvm.loop !20
 
-630:                                              ; preds = %634, %622
-  %631 = add nuw nsw i64 %623, 1
-  %632 = icmp ult i64 %623, 7
-  %633 = select i1 %298, i1 %632, i1 false
-  br i1 %633, label %622, label %639, !llvm.loop !20
+672:                                              ; preds = %666, %672
+  %673 = phi i64 [ 0, %666 ], [ %681, %672 ]
+  %674 = shl nsw i64 %673, 6
+  %675 = getelementptr inbounds i8, ptr %668, i64 %674
+  %676 = load <8 x double>, ptr %675, align 8
+  %677 = mul nuw nsw i64 %673, %15
+  %678 = add nuw nsw i64 %677, %665
+  %679 = shl nsw i64 %678, 6
+  %680 = getelementptr inbounds i8, ptr %44, i64 %679
+  store <8 x double> %676, ptr %680, align 8
+  %681 = add nuw nsw i64 %673, 1
+  %682 = icmp eq i64 %681, %402
+  br i1 %682, label %669, label %672, !llvm.loop !21
 
-634:                                              ; preds = %624, %634
-  %635 = phi i64 [ 0, %624 ], [ %637, %634 ]
-  %636 = getelementptr inbounds double, ptr %629, i64 %635
-  tail call void @llvm.prefetch.p0(ptr %636, i32 0, i32 3, i32 1)
-  %637 = add nuw nsw i64 %635, 8
-  %638 = icmp slt i64 %637, %13
-  br i1 %638, label %634, label %630, !llvm.loop !21
+683:                                              ; preds = %669, %661, %549, %552, %542
+  %684 = icmp sgt i64 %402, 0
+  br i1 %684, label %687, label %685
 
-639:                                              ; preds = %630, %617
-  br i1 %300, label %640, label %657
+685:                                              ; preds = %866, %683
+  %686 = phi <8 x i64> [ %396, %683 ], [ %771, %866 ]
+  br i1 %26, label %869, label %893
 
-640:                                              ; preds = %639, %648
-  %641 = phi i64 [ %649, %648 ], [ 0, %639 ]
-  br i1 %301, label %642, label %648
+687:                                              ; preds = %683, %866
+  %688 = phi i64 [ %867, %866 ], [ 0, %683 ]
+  %689 = phi <8 x i64> [ %771, %866 ], [ %396, %683 ]
+  %690 = shl nsw i64 %688, 3
+  %691 = add nsw i64 %690, %401
+  %692 = mul i64 %356, %688
+  %693 = select i1 %20, i64 %692, i64 0
+  %694 = getelementptr inbounds i8, ptr %44, i64 %693
+  %695 = mul i64 %357, %688
+  %696 = select i1 %26, i64 %695, i64 0
+  %697 = getelementptr inbounds i8, ptr %47, i64 %696
+  %698 = add nsw i64 %691, 16
+  %699 = icmp sgt i64 %698, %11
+  %700 = select i1 %26, i1 true, i1 %699
+  br i1 %700, label %741, label %701
 
-642:                                              ; preds = %640
-  %643 = load i64, ptr %23, align 8
-  %644 = mul nsw i64 %643, %618
-  %645 = getelementptr inbounds double, ptr %5, i64 %644
-  %646 = mul nsw i64 %643, %641
-  %647 = getelementptr inbounds double, ptr %645, i64 %646
-  br label %652
+701:                                              ; preds = %687
+  %702 = add nsw i64 %691, 8
+  %703 = load i64, ptr %329, align 8
+  %704 = icmp eq i64 %703, 1
+  %705 = select i1 %704, i1 %358, i1 false
+  br i1 %705, label %706, label %723
 
-648:                                              ; preds = %652, %640
-  %649 = add nuw nsw i64 %641, 1
-  %650 = icmp ult i64 %641, 7
-  %651 = select i1 %300, i1 %650, i1 false
-  br i1 %651, label %640, label %657, !llvm.loop !22
+706:                                              ; preds = %701, %714
+  %707 = phi i64 [ %715, %714 ], [ 0, %701 ]
+  br i1 %359, label %708, label %714
 
-652:                                              ; preds = %642, %652
-  %653 = phi i64 [ 0, %642 ], [ %655, %652 ]
-  %654 = getelementptr inbounds double, ptr %647, i64 %653
-  tail call void @llvm.prefetch.p0(ptr %654, i32 1, i32 3, i32 1)
-  %655 = add nuw nsw i64 %653, 8
-  %656 = icmp slt i64 %655, %17
-  br i1 %656, label %652, label %648, !llvm.loop !23
+708:                                              ; preds = %706
+  %709 = load i64, ptr %176, align 8
+  %710 = mul nsw i64 %709, %702
+  %711 = getelementptr inbounds double, ptr %2, i64 %710
+  %712 = mul nsw i64 %709, %707
+  %713 = getelementptr inbounds double, ptr %711, i64 %712
+  br label %718
 
-657:                                              ; preds = %648, %639, %603
-  %658 = load ptr, ptr %0, align 8
-  %659 = getelementptr inbounds double, ptr %1, i64 %607
-  %660 = mul i64 %302, %604
-  %661 = getelementptr inbounds i8, ptr %39, i64 %660
-  %662 = tail call i32 %658(ptr noundef %659, ptr noundef nonnull %661, ptr noundef nonnull %610, ptr noundef %34, ptr noundef nonnull %613) #4
-  %663 = sext i32 %662 to i64
-  %664 = getelementptr inbounds i8, ptr %6, i64 %607
-  %665 = icmp eq i32 %662, 0
-  br i1 %665, label %674, label %666
+714:                                              ; preds = %718, %706
+  %715 = add nuw nsw i64 %707, 1
+  %716 = icmp ult i64 %707, 7
+  %717 = select i1 %358, i1 %716, i1 false
+  br i1 %717, label %706, label %723, !llvm.loop !22
 
-666:                                              ; preds = %657, %666
-  %667 = phi i64 [ %672, %666 ], [ 0, %657 ]
-  %668 = lshr i64 %663, %667
-  %669 = trunc i64 %668 to i8
-  %670 = and i8 %669, 1
-  %671 = getelementptr inbounds i8, ptr %664, i64 %667
-  store i8 %670, ptr %671, align 1
-  %672 = add nuw nsw i64 %667, 1
-  %673 = icmp eq i64 %672, 8
-  br i1 %673, label %674, label %666, !llvm.loop !7
+718:                                              ; preds = %708, %718
+  %719 = phi i64 [ 0, %708 ], [ %721, %718 ]
+  %720 = getelementptr inbounds double, ptr %713, i64 %719
+  tail call void @llvm.prefetch.p0(ptr %720, i32 0, i32 3, i32 1)
+  %721 = add nuw nsw i64 %719, 8
+  %722 = icmp slt i64 %721, %13
+  br i1 %722, label %718, label %714, !llvm.loop !23
 
-674:                                              ; preds = %666, %657
-  br i1 %303, label %675, label %686
+723:                                              ; preds = %714, %701
+  br i1 %360, label %724, label %741
 
-675:                                              ; preds = %674, %675
-  %676 = phi <8 x i64> [ %683, %675 ], [ %605, %674 ]
-  %677 = phi i64 [ %684, %675 ], [ 0, %674 ]
-  %678 = shl nsw i64 %677, 6
-  %679 = getelementptr inbounds i8, ptr %613, i64 %678
-  %680 = load <8 x double>, ptr %679, align 8
-  %681 = fsub <8 x double> %680, %680
-  %682 = bitcast <8 x double> %681 to <8 x i64>
-  %683 = or <8 x i64> %676, %682
-  %684 = add nuw nsw i64 %677, 1
-  %685 = icmp eq i64 %684, %17
-  br i1 %685, label %686, label %675, !llvm.loop !24
+724:                                              ; preds = %723, %732
+  %725 = phi i64 [ %733, %732 ], [ 0, %723 ]
+  br i1 %361, label %726, label %732
 
-686:                                              ; preds = %675, %674
-  %687 = phi <8 x i64> [ %605, %674 ], [ %683, %675 ]
-  br i1 %26, label %688, label %782
+726:                                              ; preds = %724
+  %727 = load i64, ptr %23, align 8
+  %728 = mul nsw i64 %727, %702
+  %729 = getelementptr inbounds double, ptr %5, i64 %728
+  %730 = mul nsw i64 %727, %725
+  %731 = getelementptr inbounds double, ptr %729, i64 %730
+  br label %736
 
-688:                                              ; preds = %686
-  %689 = load i64, ptr %23, align 8
-  %690 = mul nsw i64 %689, %607
-  %691 = getelementptr inbounds double, ptr %5, i64 %690
-  br i1 %304, label %692, label %699
+732:                                              ; preds = %736, %724
+  %733 = add nuw nsw i64 %725, 1
+  %734 = icmp ult i64 %725, 7
+  %735 = select i1 %360, i1 %734, i1 false
+  br i1 %735, label %724, label %741, !llvm.loop !24
 
-692:                                              ; preds = %688
-  %693 = shl i64 %689, 4
-  %694 = mul i64 %689, 24
-  %695 = shl i64 %689, 5
-  %696 = mul i64 %689, 40
-  %697 = mul i64 %689, 48
-  %698 = mul i64 %689, 56
-  br label %709
+736:                                              ; preds = %726, %736
+  %737 = phi i64 [ 0, %726 ], [ %739, %736 ]
+  %738 = getelementptr inbounds double, ptr %731, i64 %737
+  tail call void @llvm.prefetch.p0(ptr %738, i32 1, i32 3, i32 1)
+  %739 = add nuw nsw i64 %737, 8
+  %740 = icmp slt i64 %739, %17
+  br i1 %740, label %736, label %732, !llvm.loop !25
 
-699:                                              ; preds = %709, %688
-  %700 = phi i64 [ 0, %688 ], [ %756, %709 ]
-  %701 = icmp slt i64 %700, %17
-  br i1 %701, label %702, label %782
+741:                                              ; preds = %732, %723, %687
+  %742 = load ptr, ptr %0, align 8
+  %743 = getelementptr inbounds double, ptr %1, i64 %691
+  %744 = mul i64 %362, %688
+  %745 = getelementptr inbounds i8, ptr %39, i64 %744
+  %746 = tail call i32 %742(ptr noundef %743, ptr noundef nonnull %745, ptr noundef nonnull %694, ptr noundef %34, ptr noundef nonnull %697) #4
+  %747 = sext i32 %746 to i64
+  %748 = getelementptr inbounds i8, ptr %6, i64 %691
+  %749 = icmp eq i32 %746, 0
+  br i1 %749, label %758, label %750
 
-702:                                              ; preds = %699
-  %703 = shl i64 %689, 4
-  %704 = mul i64 %689, 24
-  %705 = shl i64 %689, 5
-  %706 = mul i64 %689, 40
-  %707 = mul i64 %689, 48
-  %708 = mul i64 %689, 56
-  br label %759
+750:                                              ; preds = %741, %750
+  %751 = phi i64 [ %756, %750 ], [ 0, %741 ]
+  %752 = lshr i64 %747, %751
+  %753 = trunc i64 %752 to i8
+  %754 = and i8 %753, 1
+  %755 = getelementptr inbounds i8, ptr %748, i64 %751
+  store i8 %754, ptr %755, align 1
+  %756 = add nuw nsw i64 %751, 1
+  %757 = icmp eq i64 %756, 8
+  br i1 %757, label %758, label %750, !llvm.loop !7
 
-709:                                              ; preds = %692, %709
-  %710 = phi i64 [ %756, %709 ], [ 0, %692 ]
-  %711 = tail call i64 @llvm.smin.i64(i64 %710, i64 %305)
-  %712 = getelementptr double, ptr %691, i64 %711
-  %713 = shl nsw i64 %711, 6
-  %714 = getelementptr inbounds i8, ptr %47, i64 %713
-  %715 = load <8 x double>, ptr %714, align 8
-  %716 = shufflevector <8 x double> %715, <8 x double> poison, <4 x i32> <i32 4, i32 5, i32 6, i32 7>
-  %717 = shl i64 %711, 6
-  %718 = getelementptr i8, ptr %307, i64 %717
-  %719 = load <8 x double>, ptr %718, align 8
-  %720 = shufflevector <8 x double> %719, <8 x double> poison, <4 x i32> <i32 4, i32 5, i32 6, i32 7>
-  %721 = shufflevector <4 x double> %716, <4 x double> %720, <4 x i32> <i32 1, i32 5, i32 3, i32 7>
-  %722 = shl i64 %711, 6
-  %723 = getelementptr i8, ptr %308, i64 %722
-  %724 = load <8 x double>, ptr %723, align 8
-  %725 = shufflevector <8 x double> %724, <8 x double> poison, <4 x i32> <i32 4, i32 5, i32 6, i32 7>
-  %726 = shl i64 %711, 6
-  %727 = getelementptr i8, ptr %309, i64 %726
-  %728 = load <8 x double>, ptr %727, align 8
-  %729 = shufflevector <8 x double> %728, <8 x double> poison, <4 x i32> <i32 4, i32 5, i32 6, i32 7>
-  %730 = shufflevector <4 x double> %725, <4 x double> %729, <4 x i32> <i32 1, i32 5, i32 3, i32 7>
-  %731 = shufflevector <4 x double> %721, <4 x double> %730, <4 x i32> <i32 2, i32 3, i32 6, i32 7>
-  %732 = shufflevector <4 x double> %716, <4 x double> %720, <4 x i32> <i32 0, i32 4, i32 2, i32 6>
-  %733 = shufflevector <4 x double> %725, <4 x double> %729, <4 x i32> <i32 0, i32 4, i32 2, i32 6>
-  %734 = shufflevector <4 x double> %732, <4 x double> %733, <4 x i32> <i32 2, i32 3, i32 6, i32 7>
-  %735 = shufflevector <4 x double> %721, <4 x double> %730, <4 x i32> <i32 0, i32 1, i32 4, i32 5>
-  %736 = shufflevector <4 x double> %732, <4 x double> %733, <4 x i32> <i32 0, i32 1, i32 4, i32 5>
-  %737 = shufflevector <8 x double> %715, <8 x double> poison, <4 x i32> <i32 0, i32 1, i32 2, i32 3>
-  %738 = shufflevector <8 x double> %719, <8 x double> poison, <4 x i32> <i32 0, i32 1, i32 2, i32 3>
-  %739 = shufflevector <4 x double> %737, <4 x double> %738, <4 x i32> <i32 1, i32 5, i32 3, i32 7>
-  %740 = shufflevector <8 x double> %724, <8 x double> poison, <4 x i32> <i32 0, i32 1, i32 2, i32 3>
-  %741 = shufflevector <8 x double> %728, <8 x double> poison, <4 x i32> <i32 0, i32 1, i32 2, i32 3>
-  %742 = shufflevector <4 x double> %740, <4 x double> %741, <4 x i32> <i32 1, i32 5, i32 3, i32 7>
-  %743 = shufflevector <4 x double> %739, <4 x double> %742, <4 x i32> <i32 2, i32 3, i32 6, i32 7>
-  %744 = shufflevector <4 x double> %737, <4 x double> %738, <4 x i32> <i32 0, i32 4, i32 2, i32 6>
-  %745 = shufflevector <4 x double> %740, <4 x double> %741, <4 x i32> <i32 0, i32 4, i32 2, i32 6>
-  %746 = shufflevector <4 x double> %744, <4 x double> %745, <4 x i32> <i32 2, i32 3, i32 6, i32 7>
-  %747 = shufflevector <4 x double> %739, <4 x double> %742, <4 x i32> <i32 0, i32 1, i32 4, i32 5>
-  %748 = shufflevector <4 x double> %744, <4 x double> %745, <4 x i32> <i32 0, i32 1, i32 4, i32 5>
-  store <4 x double> %748, ptr %712, align 8
-  %749 = getelementptr double, ptr %712, i64 %689
-  store <4 x double> %747, ptr %749, align 8
-  %750 = getelementptr i8, ptr %712, i64 %693
-  store <4 x double> %746, ptr %750, align 8
-  %751 = getelementptr i8, ptr %712, i64 %694
-  store <4 x double> %743, ptr %751, align 8
-  %752 = getelementptr i8, ptr %712, i64 %695
-  store <4 x double> %736, ptr %752, align 8
-  %753 = getelementptr i8, ptr %712, i64 %696
-  store <4 x double> %735, ptr %753, align 8
-  %754 = getelementptr i8, ptr %712, i64 %697
-  store <4 x double> %734, ptr %754, align 8
-  %755 = getelementptr i8, ptr %712, i64 %698
-  store <4 x double> %731, ptr %755, align 8
-  %756 = add nsw i64 %711, 4
-  %757 = icmp slt i64 %756, %17
-  %758 = select i1 %304, i1 %757, i1 false
-  br i1 %758, label %709, label %699, !llvm.loop !25
+758:                                              ; preds = %750, %741
+  br i1 %363, label %759, label %770
 
-759:                                              ; preds = %702, %759
-  %760 = phi i64 [ %780, %759 ], [ %700, %702 ]
-  %761 = getelementptr double, ptr %691, i64 %760
-  %762 = shl nsw i64 %760, 6
-  %763 = getelementptr inbounds i8, ptr %47, i64 %762
+759:                                              ; preds = %758, %759
+  %760 = phi <8 x i64> [ %767, %759 ], [ %689, %758 ]
+  %761 = phi i64 [ %768, %759 ], [ 0, %758 ]
+  %762 = shl nsw i64 %761, 6
+  %763 = getelementptr inbounds i8, ptr %697, i64 %762
   %764 = load <8 x double>, ptr %763, align 8
-  %765 = extractelement <8 x double> %764, i64 0
-  store double %765, ptr %761, align 8
-  %766 = extractelement <8 x double> %764, i64 1
-  %767 = getelementptr double, ptr %761, i64 %689
-  store double %766, ptr %767, align 8
-  %768 = extractelement <8 x double> %764, i64 2
-  %769 = getelementptr i8, ptr %761, i64 %703
-  store double %768, ptr %769, align 8
-  %770 = extractelement <8 x double> %764, i64 3
-  %771 = getelementptr i8, ptr %761, i64 %704
-  store double %770, ptr %771, align 8
-  %772 = extractelement <8 x double> %764, i64 4
-  %773 = getelementptr i8, ptr %761, i64 %705
-  store double %772, ptr %773, align 8
-  %774 = extractelement <8 x double> %764, i64 5
-  %775 = getelementptr i8, ptr %761, i64 %706
-  store double %774, ptr %775, align 8
-  %776 = extractelement <8 x double> %764, i64 6
-  %777 = getelementptr i8, ptr %761, i64 %707
-  store double %776, ptr %777, align 8
-  %778 = extractelement <8 x double> %764, i64 7
-  %779 = getelementptr i8, ptr %761, i64 %708
-  store double %778, ptr %779, align 8
-  %780 = add nsw i64 %760, 1
-  %781 = icmp eq i64 %780, %17
-  br i1 %781, label %782, label %759, !llvm.loop !26
+  %765 = fsub <8 x double> %764, %764
+  %766 = bitcast <8 x double> %765 to <8 x i64>
+  %767 = or <8 x i64> %760, %766
+  %768 = add nuw nsw i64 %761, 1
+  %769 = icmp eq i64 %768, %17
+  br i1 %769, label %770, label %759, !llvm.loop !15
 
-782:                                              ; preds = %759, %699, %686
-  %783 = add nuw nsw i64 %604, 1
-  %784 = icmp eq i64 %783, %318
-  br i1 %784, label %601, label %603, !llvm.loop !27
+770:                                              ; preds = %759, %758
+  %771 = phi <8 x i64> [ %689, %758 ], [ %767, %759 ]
+  br i1 %26, label %866, label %772
 
-785:                                              ; preds = %601
-  %786 = load i64, ptr %24, align 8
-  %787 = getelementptr inbounds double, ptr %5, i64 %317
-  br i1 %306, label %788, label %809
+772:                                              ; preds = %770
+  %773 = load i64, ptr %23, align 8
+  %774 = mul nsw i64 %773, %691
+  %775 = getelementptr inbounds double, ptr %5, i64 %774
+  br i1 %364, label %776, label %783
 
-788:                                              ; preds = %785
-  %789 = icmp sgt i64 %318, 0
-  br label %790
+776:                                              ; preds = %772
+  %777 = shl i64 %773, 4
+  %778 = mul i64 %773, 24
+  %779 = shl i64 %773, 5
+  %780 = mul i64 %773, 40
+  %781 = mul i64 %773, 48
+  %782 = mul i64 %773, 56
+  br label %793
 
-790:                                              ; preds = %788, %795
-  %791 = phi i64 [ 0, %788 ], [ %796, %795 ]
-  br i1 %789, label %792, label %795
+783:                                              ; preds = %793, %772
+  %784 = phi i64 [ 0, %772 ], [ %840, %793 ]
+  %785 = icmp slt i64 %784, %17
+  br i1 %785, label %786, label %866
 
-792:                                              ; preds = %790
-  %793 = mul nsw i64 %791, %786
-  %794 = getelementptr inbounds double, ptr %787, i64 %793
-  br label %798
+786:                                              ; preds = %783
+  %787 = shl i64 %773, 4
+  %788 = mul i64 %773, 24
+  %789 = shl i64 %773, 5
+  %790 = mul i64 %773, 40
+  %791 = mul i64 %773, 48
+  %792 = mul i64 %773, 56
+  br label %843
 
-795:                                              ; preds = %798, %790
-  %796 = add nuw nsw i64 %791, 1
-  %797 = icmp eq i64 %796, %17
-  br i1 %797, label %809, label %790, !llvm.loop !28
+793:                                              ; preds = %776, %793
+  %794 = phi i64 [ %840, %793 ], [ 0, %776 ]
+  %795 = tail call i64 @llvm.smin.i64(i64 %794, i64 %365)
+  %796 = getelementptr double, ptr %775, i64 %795
+  %797 = shl nsw i64 %795, 6
+  %798 = getelementptr inbounds i8, ptr %47, i64 %797
+  %799 = load <8 x double>, ptr %798, align 8
+  %800 = shufflevector <8 x double> %799, <8 x double> poison, <4 x i32> <i32 4, i32 5, i32 6, i32 7>
+  %801 = shl i64 %795, 6
+  %802 = getelementptr i8, ptr %367, i64 %801
+  %803 = load <8 x double>, ptr %802, align 8
+  %804 = shufflevector <8 x double> %803, <8 x double> poison, <4 x i32> <i32 4, i32 5, i32 6, i32 7>
+  %805 = shufflevector <4 x double> %800, <4 x double> %804, <4 x i32> <i32 1, i32 5, i32 3, i32 7>
+  %806 = shl i64 %795, 6
+  %807 = getelementptr i8, ptr %368, i64 %806
+  %808 = load <8 x double>, ptr %807, align 8
+  %809 = shufflevector <8 x double> %808, <8 x double> poison, <4 x i32> <i32 4, i32 5, i32 6, i32 7>
+  %810 = shl i64 %795, 6
+  %811 = getelementptr i8, ptr %369, i64 %810
+  %812 = load <8 x double>, ptr %811, align 8
+  %813 = shufflevector <8 x double> %812, <8 x double> poison, <4 x i32> <i32 4, i32 5, i32 6, i32 7>
+  %814 = shufflevector <4 x double> %809, <4 x double> %813, <4 x i32> <i32 1, i32 5, i32 3, i32 7>
+  %815 = shufflevector <4 x double> %805, <4 x double> %814, <4 x i32> <i32 2, i32 3, i32 6, i32 7>
+  %816 = shufflevector <4 x double> %800, <4 x double> %804, <4 x i32> <i32 0, i32 4, i32 2, i32 6>
+  %817 = shufflevector <4 x double> %809, <4 x double> %813, <4 x i32> <i32 0, i32 4, i32 2, i32 6>
+  %818 = shufflevector <4 x double> %816, <4 x double> %817, <4 x i32> <i32 2, i32 3, i32 6, i32 7>
+  %819 = shufflevector <4 x double> %805, <4 x double> %814, <4 x i32> <i32 0, i32 1, i32 4, i32 5>
+  %820 = shufflevector <4 x double> %816, <4 x double> %817, <4 x i32> <i32 0, i32 1, i32 4, i32 5>
+  %821 = shufflevector <8 x double> %799, <8 x double> poison, <4 x i32> <i32 0, i32 1, i32 2, i32 3>
+  %822 = shufflevector <8 x double> %803, <8 x double> poison, <4 x i32> <i32 0, i32 1, i32 2, i32 3>
+  %823 = shufflevector <4 x double> %821, <4 x double> %822, <4 x i32> <i32 1, i32 5, i32 3, i32 7>
+  %824 = shufflevector <8 x double> %808, <8 x double> poison, <4 x i32> <i32 0, i32 1, i32 2, i32 3>
+  %825 = shufflevector <8 x double> %812, <8 x double> poison, <4 x i32> <i32 0, i32 1, i32 2, i32 3>
+  %826 = shufflevector <4 x double> %824, <4 x double> %825, <4 x i32> <i32 1, i32 5, i32 3, i32 7>
+  %827 = shufflevector <4 x double> %823, <4 x double> %826, <4 x i32> <i32 2, i32 3, i32 6, i32 7>
+  %828 = shufflevector <4 x double> %821, <4 x double> %822, <4 x i32> <i32 0, i32 4, i32 2, i32 6>
+  %829 = shufflevector <4 x double> %824, <4 x double> %825, <4 x i32> <i32 0, i32 4, i32 2, i32 6>
+  %830 = shufflevector <4 x double> %828, <4 x double> %829, <4 x i32> <i32 2, i32 3, i32 6, i32 7>
+  %831 = shufflevector <4 x double> %823, <4 x double> %826, <4 x i32> <i32 0, i32 1, i32 4, i32 5>
+  %832 = shufflevector <4 x double> %828, <4 x double> %829, <4 x i32> <i32 0, i32 1, i32 4, i32 5>
+  store <4 x double> %832, ptr %796, align 8
+  %833 = getelementptr double, ptr %796, i64 %773
+  store <4 x double> %831, ptr %833, align 8
+  %834 = getelementptr i8, ptr %796, i64 %777
+  store <4 x double> %830, ptr %834, align 8
+  %835 = getelementptr i8, ptr %796, i64 %778
+  store <4 x double> %827, ptr %835, align 8
+  %836 = getelementptr i8, ptr %796, i64 %779
+  store <4 x double> %820, ptr %836, align 8
+  %837 = getelementptr i8, ptr %796, i64 %780
+  store <4 x double> %819, ptr %837, align 8
+  %838 = getelementptr i8, ptr %796, i64 %781
+  store <4 x double> %818, ptr %838, align 8
+  %839 = getelementptr i8, ptr %796, i64 %782
+  store <4 x double> %815, ptr %839, align 8
+  %840 = add nsw i64 %795, 4
+  %841 = icmp slt i64 %840, %17
+  %842 = select i1 %364, i1 %841, i1 false
+  br i1 %842, label %793, label %783, !llvm.loop !26
 
-798:                                              ; preds = %792, %798
-  %799 = phi i64 [ 0, %792 ], [ %807, %798 ]
-  %800 = mul nuw nsw i64 %799, %17
-  %801 = add nuw nsw i64 %800, %791
-  %802 = shl nsw i64 %801, 6
-  %803 = getelementptr inbounds i8, ptr %47, i64 %802
-  %804 = load <8 x double>, ptr %803, align 8
-  %805 = shl nsw i64 %799, 6
-  %806 = getelementptr inbounds i8, ptr %794, i64 %805
-  store <8 x double> %804, ptr %806, align 8
-  %807 = add nuw nsw i64 %799, 1
-  %808 = icmp eq i64 %807, %318
-  br i1 %808, label %795, label %798, !llvm.loop !29
+843:                                              ; preds = %786, %843
+  %844 = phi i64 [ %864, %843 ], [ %784, %786 ]
+  %845 = getelementptr double, ptr %775, i64 %844
+  %846 = shl nsw i64 %844, 6
+  %847 = getelementptr inbounds i8, ptr %47, i64 %846
+  %848 = load <8 x double>, ptr %847, align 8
+  %849 = extractelement <8 x double> %848, i64 0
+  store double %849, ptr %845, align 8
+  %850 = extractelement <8 x double> %848, i64 1
+  %851 = getelementptr double, ptr %845, i64 %773
+  store double %850, ptr %851, align 8
+  %852 = extractelement <8 x double> %848, i64 2
+  %853 = getelementptr i8, ptr %845, i64 %787
+  store double %852, ptr %853, align 8
+  %854 = extractelement <8 x double> %848, i64 3
+  %855 = getelementptr i8, ptr %845, i64 %788
+  store double %854, ptr %855, align 8
+  %856 = extractelement <8 x double> %848, i64 4
+  %857 = getelementptr i8, ptr %845, i64 %789
+  store double %856, ptr %857, align 8
+  %858 = extractelement <8 x double> %848, i64 5
+  %859 = getelementptr i8, ptr %845, i64 %790
+  store double %858, ptr %859, align 8
+  %860 = extractelement <8 x double> %848, i64 6
+  %861 = getelementptr i8, ptr %845, i64 %791
+  store double %860, ptr %861, align 8
+  %862 = extractelement <8 x double> %848, i64 7
+  %863 = getelementptr i8, ptr %845, i64 %792
+  store double %862, ptr %863, align 8
+  %864 = add nsw i64 %844, 1
+  %865 = icmp eq i64 %864, %17
+  br i1 %865, label %866, label %843, !llvm.loop !27
 
-809:                                              ; preds = %795, %785, %601
-  %810 = shl nsw i64 %318, 3
-  %811 = add nsw i64 %317, %810
-  %812 = icmp slt i64 %811, %11
-  br i1 %812, label %310, label %813, !llvm.loop !30
+866:                                              ; preds = %843, %783, %770
+  %867 = add nuw nsw i64 %688, 1
+  %868 = icmp eq i64 %867, %402
+  br i1 %868, label %685, label %687, !llvm.loop !28
 
-813:                                              ; preds = %809
-  %814 = extractelement <8 x i64> %602, i64 0
-  %815 = icmp eq i64 %814, 0
-  %816 = extractelement <8 x i64> %602, i64 1
-  %817 = icmp eq i64 %816, 0
-  %818 = extractelement <8 x i64> %602, i64 2
-  %819 = icmp eq i64 %818, 0
-  %820 = extractelement <8 x i64> %602, i64 3
-  %821 = icmp eq i64 %820, 0
-  %822 = extractelement <8 x i64> %602, i64 4
-  %823 = icmp eq i64 %822, 0
-  %824 = extractelement <8 x i64> %602, i64 5
-  %825 = icmp eq i64 %824, 0
-  %826 = extractelement <8 x i64> %602, i64 6
-  %827 = icmp eq i64 %826, 0
-  %828 = extractelement <8 x i64> %602, i64 7
-  %829 = icmp eq i64 %828, 0
-  %830 = select i1 %829, i1 %827, i1 false
-  %831 = select i1 %830, i1 %825, i1 false
-  %832 = select i1 %831, i1 %823, i1 false
-  %833 = select i1 %832, i1 %821, i1 false
-  %834 = select i1 %833, i1 %819, i1 false
-  %835 = select i1 %834, i1 %817, i1 false
-  %836 = select i1 %835, i1 %815, i1 false
-  %837 = zext i1 %836 to i64
-  br label %838
+869:                                              ; preds = %685
+  %870 = load i64, ptr %24, align 8
+  %871 = getelementptr inbounds double, ptr %5, i64 %401
+  br i1 %366, label %872, label %893
 
-838:                                              ; preds = %159, %272, %813, %8
-  %839 = phi i64 [ 1, %8 ], [ 0, %272 ], [ %837, %813 ], [ 0, %159 ]
-  ret i64 %839
+872:                                              ; preds = %869
+  %873 = icmp sgt i64 %402, 0
+  br label %874
+
+874:                                              ; preds = %872, %879
+  %875 = phi i64 [ 0, %872 ], [ %880, %879 ]
+  br i1 %873, label %876, label %879
+
+876:                                              ; preds = %874
+  %877 = mul nsw i64 %875, %870
+  %878 = getelementptr inbounds double, ptr %871, i64 %877
+  br label %882
+
+879:                                              ; preds = %882, %874
+  %880 = add nuw nsw i64 %875, 1
+  %881 = icmp eq i64 %880, %17
+  br i1 %881, label %893, label %874, !llvm.loop !29
+
+882:                                              ; preds = %876, %882
+  %883 = phi i64 [ 0, %876 ], [ %891, %882 ]
+  %884 = mul nuw nsw i64 %883, %17
+  %885 = add nuw nsw i64 %884, %875
+  %886 = shl nsw i64 %885, 6
+  %887 = getelementptr inbounds i8, ptr %47, i64 %886
+  %888 = load <8 x double>, ptr %887, align 8
+  %889 = shl nsw i64 %883, 6
+  %890 = getelementptr inbounds i8, ptr %878, i64 %889
+  store <8 x double> %888, ptr %890, align 8
+  %891 = add nuw nsw i64 %883, 1
+  %892 = icmp eq i64 %891, %402
+  br i1 %892, label %879, label %882, !llvm.loop !30
+
+893:                                              ; preds = %879, %869, %685
+  %894 = shl nsw i64 %402, 3
+  %895 = add nsw i64 %401, %894
+  %896 = icmp slt i64 %895, %11
+  br i1 %896, label %394, label %370, !llvm.loop !31
+
+897:                                              ; preds = %159, %370, %303, %8
+  %898 = phi i1 [ true, %8 ], [ %327, %303 ], [ %393, %370 ], [ false, %159 ]
+  %899 = zext i1 %898 to i64
+  ret i64 %899
 }
 
 
@@ -1152,3 +1224,4 @@ attributes #5 = { nounwind }
 !28 = distinct !{!28, !4, !5}
 !29 = distinct !{!29, !4, !5}
 !30 = distinct !{!30, !4, !5}
+!31 = distinct !{!31, !4, !5}

@@ -14,7 +14,7 @@ from pydy._backends.llvm.ir import WIDTHS, IrFunction, literal, suffix, vector_t
 from pydy._backends.llvm.plan import RegisterAllocator, ValueLocation, fusion, readers
 from pydy._backends.llvm.sincos import sincos, sincos_together
 from pydy._backends.llvm.targets import target
-from pydy._backends.tuning import SPARSE, TEMPORARY
+from pydy._backends.tuning import PACKED, SPARSE, TEMPORARY
 from pydy._program import OPERATIONS, Program, is_constrained, symmetric
 
 # -- Linear solves as part of a stage: matrices for fallbacks, the guards, and their solutions -----
@@ -596,9 +596,7 @@ class Emitter:
                 self.angles.update(zip(group, pairs, strict=True))
             return
         while ready:
-            width = next(w for w in WIDTHS[::-1] if w <= len(ready) or w == 1)
-            if len(ready) > width:
-                width = min(8, 2 * width)
+            width = next(w for w in WIDTHS if w >= min(len(ready), PACKED))
             group, ready = ready[:width], ready[width:]
             self._side_by_side(group, width)
 

@@ -121,7 +121,8 @@ class UnrolledLDL:
                 y[i] = self._minus(y[i], self.lower[i][k], y[k])
         x = [tape.mul(v, d) for v, d in zip(y, self.inverse, strict=True)]
         for i in reversed(range(n)):
-            for k in range(i + 1, n):
+            # What is known first is subtracted first: one product waits for the value before.
+            for k in reversed(range(i + 1, n)):
                 x[i] = self._minus(x[i], self.lower[k][i], x[k])
         fast = [0] * n
         for position, value in zip(self.order, x, strict=True):

@@ -164,7 +164,8 @@ class UnrolledLU:
                 if zero not in (self.lower[i][k], y[k]):
                     y[i] = tape.sub(y[i], tape.mul(self.lower[i][k], y[k]))
         for i in reversed(range(n)):
-            for k in range(i + 1, n):
+            # What is known first is subtracted first: one product waits for the value before.
+            for k in reversed(range(i + 1, n)):
                 if zero not in (self.upper[i][k], y[k]):
                     y[i] = tape.sub(y[i], tape.mul(self.upper[i][k], y[k]))
             y[i] = tape.mul(y[i], self.inverse[i])
@@ -201,7 +202,7 @@ class UnrolledLU:
         sound = self.sound
         for i in range(n):
             residual, bound = column[i], self._size(column[i])
-            for j in range(n):
+            for j in reversed(self.columns):  # in the order in which the solution is found
                 entry = self.entries[i * n + j]
                 if zero not in (entry, x[j]):
                     residual = tape.sub(residual, tape.mul(entry, x[j]))

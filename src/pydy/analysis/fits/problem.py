@@ -6,7 +6,7 @@ Shooting appends the states at the starts of segments.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from copy import copy
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
@@ -35,6 +35,7 @@ from pydy._states import located, with_dependents
 from pydy.analysis.bounds import limits
 from pydy.analysis.fits.samples import TrialSamples, checked_trial
 from pydy.analysis.fits.trial import Trial
+from pydy.codegen import one_format, without
 
 if TYPE_CHECKING:
     from pydy._sympy_types import AnySymbol, SymbolOrName
@@ -119,19 +120,18 @@ class FitProblem:
             raise ValueError(
                 f"`{symbol}` is unknown in {d.label}, and a parameter of all trials too."
             )
-        system = merged(getattr(self.base.settings, argument))
-        values = symbol_index.by_symbol(system, argument, allow_others=True)
-        trial = merged(check_mapping(label, getattr(d.trial, argument)))
-        trial_values = symbol_index.by_symbol(trial, label, allow_others=True)
+        values = _by_symbol(symbol_index, getattr(self.base.settings, argument), argument)
+        trial = check_mapping(label, getattr(d.trial, argument))
+        trial_values = _by_symbol(symbol_index, trial, label)
+        given = {*_symbols_in(trial_values)}
         numbers = {s: v for s, v in trial_values.items() if isinstance(v, (int, float))}
         warn_of_contradictions(self.base, argument, numbers, f"`{label}` for ")
-        if len(self.trials) > 1 and (conflicts := parameters & trial_values.keys()):
+        if len(self.trials) > 1 and (conflicts := parameters & given):
             raise ValueError(
                 f"`{label}` gives {describe([*conflicts])} a value of its own, but `parameters` "
                 "names it, for all trials. Leave one of them out."
             )
-        values |= trial_values
-        return {key: value for key, value in values.items() if key not in parameters}
+        return without({**without(values, given), **trial_values}, parameters)
 
     def _initial_conditions(self, d: TrialSamples) -> dict[AnySymbol, float]:
         base, argument = self.base, f"initial_conditions of {d.label}"
@@ -291,14 +291,24 @@ def _constants_of_trials(base: Problem, trials: Sequence[object]) -> set[AnySymb
         label = f"specifieds of trial {k}"
         if not isinstance(trial, Trial) or not trial.specifieds:
             continue
-        specifieds = merged(check_mapping(label, trial.specifieds))
-        values = symbol_index.by_symbol(
-            merged(settings.specifieds), "specifieds", allow_others=True
-        )
-        values |= symbol_index.by_symbol(specifieds, label, allow_others=True)
+        values = _by_symbol(symbol_index, settings.specifieds, "specifieds")
+        given = _by_symbol(symbol_index, check_mapping(label, trial.specifieds), label)
+        values = {**without(values, {*_symbols_in(given)}), **given}
         of_trial = builder.definition(settings.outputs, settings.forces, values, {})
         further.update(of_trial.constants)
     return further.difference(definition.constants)
+
+
+def _by_symbol(symbol_index: SymbolIndex, values: Mapping[Any, Any], label: str) -> Numbers:
+    """Return constants, or specifieds in either format, by symbols and tuples of symbols."""
+    first_format, _ = one_format(values, label)
+    return symbol_index.by_symbol(merged(first_format), label, allow_others=True)
+
+
+def _symbols_in(values: Iterable[Any]) -> Iterator[Any]:
+    """Yield the keys of a dictionary, and those in its tuples."""
+    for key in values:
+        yield from key if isinstance(key, tuple) else (key,)
 
 
 def _mean_and_deviation(value: object, subject: str) -> tuple[float, float]:

@@ -7,6 +7,8 @@ all of them satisfy is ``tests/oracles/departures.py``.
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from pydy._kernel import KernelCall
@@ -14,9 +16,9 @@ from pydy.solvers.compiled_events import CompiledEvents
 from pydy.solvers.tuning import HALVINGS, ROUNDING, ROUNDINGS
 
 
-def on_surface(values: np.ndarray, bounds: np.ndarray) -> np.ndarray:
-    """Return which expressions are zero within `bounds` on their roundings."""
-    return np.asarray((np.abs(values) <= ROUNDINGS * ROUNDING * bounds) | (values == 0.0))
+def on_surface(values: Any, bounds: Any) -> Any:
+    """Return which expressions, numbers or arrays, are zero within `bounds` on their roundings."""
+    return (abs(values) <= ROUNDINGS * ROUNDING * bounds) | (values == 0.0)
 
 
 def is_stationary(

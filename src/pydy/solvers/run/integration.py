@@ -373,17 +373,21 @@ class Integration(Workspace):
     # -- events -----------------------------------------------------------------------------------
 
     def _take_sides(
-        self, zero: Collection[int], forced: Mapping[int, float] = MappingProxyType({})
+        self,
+        zero: Collection[int],
+        forced: Mapping[int, float] = MappingProxyType({}),
+        rates: np.ndarray | None = None,
     ) -> np.ndarray:
         """Set the sign of each event just after the current time: that of its rate if it is `zero`.
 
         Returns the current values. Events in `forced` changed sign by a jump at the given times.
+        `rates` are those of the current state if they are known.
         """
         events, call = self.options.events, self.call
         assert events is not None
         assert call is not None
         x, t = self.memory.x[: self.n].copy(), float(self.progress.state[at.TIME])
-        values, rates = call.evaluate(events.values, x, t), None
+        values = call.evaluate(events.values, x, t)
         for k, value in enumerate(values.tolist()):
             if k in forced:
                 value = call.evaluate(events.values, x, forced[k])[k]
@@ -401,13 +405,15 @@ class Integration(Workspace):
         """
         call, sides, continuation = self.call, self.watch.sides, self.continuation
         assert call is not None
-        values = self._take_sides(())
+        x, t = self.memory.x[: self.n].copy(), float(self.progress.state[at.TIME])
+        rates = call.evaluate(events.rates, x, t)
+        values = self._take_sides((), rates=rates)
         if continuation is not None and continuation.sides is not None:
             sides[:] = continuation.sides
-        x, t = self.memory.x[: self.n].copy(), float(self.progress.state[at.TIME])
-        bounds = call.evaluate(events.rates, x, t)[len(values) : 2 * len(values)]
         self.watch.fired[:] = 0
-        for k in np.flatnonzero(on_surface(values, bounds)).tolist():
+        pairs = zip(values.tolist(), rates[len(values) : 2 * len(values)].tolist(), strict=True)
+        touched = False
+        for k in [k for k, pair in enumerate(pairs) if on_surface(*pair)]:
             if continuation is not None and (
                 continuation.handled is None or k in continuation.handled
             ):
@@ -419,13 +425,13 @@ class Integration(Workspace):
                 continue
             stationary = is_stationary(call, events, k, x, t)
             if self.watch.acting[k] and acts_at_start(side, direction, stationary):
-                self.watch.fired[k] = 1
+                self.watch.fired[k] = touched = True
                 continue
             if self.watch.acting[k]:
                 self.inactive_at_start.append(k)
             self._note_times((k,), t)
             self.records.append(self._record(t, k, x, x))
-        if not self.watch.fired.any():
+        if not touched:
             return False
         # Outputs at the time of an event are those before it.
         reached = int(np.searchsorted(self.progress.times, t, side="right"))
@@ -451,11 +457,15 @@ class Integration(Workspace):
         values = call.evaluate(events.values, x, t)
         rates = call.evaluate(events.rates, x, t)[: len(values)]
         sides, near = self.watch.sides, 2.0 * ROUNDING * abs(t)
-        distances = values * sides
-        reaches = (distances >= 0.0) & (distances <= near * abs(rates)) & (rates * sides < 0.0)
-        reaches |= (values == 0.0) & ~(rates * sides > 0.0)  # else it has just departed
-        if not reaches.any():
+        triples = zip(values.tolist(), rates.tolist(), sides.tolist(), strict=True)
+        reaches = [
+            (0.0 <= value * side <= near * abs(rate) and rate * side < 0.0)
+            or (value == 0.0 and not rate * side > 0.0)  # else it has just departed
+            for value, rate, side in triples
+        ]
+        if not any(reaches):
             return
+        distances = values * sides
         recorded = {r.index for r in self.records if r.time == self._reported(t)}
         for k, side in enumerate(sides.tolist()):
             wrong = events.traits[k].direction == side

@@ -23,7 +23,10 @@ function addSample(t, x) {
   const { outputs: y, inputs: r, formulas: f } = motion, sources = { x, r, y, f };
   if (drawn.has("y")) liveModel.evaluateOutputs(t, x, r, y);
   if (drawn.has("f")) liveModel.formulas(t, x, r, f);
-  for (let i = 0; i < samples.length; i++) samples[i].add(t, sources[live.series[i][0]][live.series[i][1]]);
+  for (let i = 0; i < samples.length; i++) {
+    const [group, index, factor] = live.series[i];
+    samples[i].add(t, factor * sources[group][index]);
+  }
 }
 
 function writeRow(k, t, x) {
