@@ -13,6 +13,8 @@ from pydy.vehicles.tuning import FLAT_OBJECTIVE
 
 _ITERATIONS = 100
 _NEWTON = 8  # largest number of steps to the equalities
+_SAMPLES = 192  # starts of samples: of each ten, three to six end within the limits
+_SAMPLED = 20  # largest number of steps from a start to the sample, which may be far away
 _TRACED = 80  # largest number of points on the way from straight ahead
 _FIRST, _GROWTH = 1 / 4, 1.5  # step of the acceleration, relative to its scale, and its growth
 _SHORTEST = 1 / 64  # of a step, relative to the acceleration; shorter ones end a trace
@@ -20,6 +22,38 @@ _WIDTH, _BOXES = 1 / 4, 8  # of a box, relative to the way of a trace; the large
 _QUARTER = float(np.sqrt(HALF))
 
 Box = tuple[np.ndarray, np.ndarray]  # the lowest and the highest values of scaled unknowns
+
+
+def _moved(
+    y: np.ndarray, values: np.ndarray, slopes: np.ndarray, box: Box, movable: np.ndarray
+) -> np.ndarray:
+    """Return unknowns after the least step to zero values within a box."""
+    low, high = box
+    step, free = np.zeros(len(y)), movable.copy()
+    for _ in range(len(y)):
+        rest = -values - slopes @ np.where(free, 0.0, step)
+        step[free] = least_step(slopes[:, free], rest)
+        outside = free & ((y + step < low) | (y + step > high))
+        if not outside.any():
+            break
+        step[outside] = np.clip(y + step, low, high)[outside] - y[outside]
+        free &= ~outside
+    moved: np.ndarray = np.clip(y + step, low, high)
+    return moved
+
+
+def _spread(count: int, dimension: int) -> np.ndarray:
+    """Return points of [-1, 1]^d that fill it evenly: a Kronecker sequence.
+
+    Its steps are powers of 1/φ, where φ is the root of φ^(d + 1) = φ + 1: M. Roberts, The
+    unreasonable effectiveness of quasirandom sequences, 2018.
+    """
+    root = 2.0
+    for _ in range(64):
+        root = (1.0 + root) ** (1.0 / (dimension + 1))
+    steps = root ** -np.arange(1.0, dimension + 1)
+    points: np.ndarray = 2.0 * np.mod(0.5 + np.outer(np.arange(1, count + 1), steps), 1.0) - 1.0
+    return points
 
 
 class LargestAcceleration:
@@ -51,6 +85,62 @@ class LargestAcceleration:
         self.low = np.append(low, 0.0) / self.scale
         self.high = np.append(high, np.inf) / self.scale
         self.rolling = np.append(rolling, 0.0) / self.scale
+
+    def samples(self) -> tuple[np.ndarray, np.ndarray]:
+        """Return directions (rad), shape (s,), and unknowns y of states within the limits.
+
+        The starts are spread over the inputs and sideslip angles; of each second start also the
+        states that have bounds, such as spins, are spread. From a start, least steps lead to where
+        the speed is right and nothing else changes. The acceleration there has some direction: with
+        all, samples cover what a path from straight ahead cannot reach, such as an axle that has
+        slid over its peak.
+        """
+        states = self.states
+        n, inputs = states.equalities, states.columns >= len(states.names)
+        spread = np.isfinite(self.low[:-1]) & np.isfinite(self.high[:-1])
+        middle = np.where(spread, self.low[:-1] + self.high[:-1], 0.0) / 2.0
+        half = np.where(spread, self.high[:-1] - self.low[:-1], 0.0) / 2.0
+        balance = np.eye(len(self.rows))[[0, *range(3, n)]]
+        found: list[np.ndarray] = []
+        angles: list[float] = []
+        for k, shares in enumerate(_spread(_SAMPLES, len(half) + 1)):
+            placed = spread & (inputs | bool(k % 2))
+            start = np.where(placed, middle + half * shares[:-1], self.rolling[:-1])
+            moving = self._balanced(start, self._at_sideslip(shares[-1]))
+            y = None if moving is None else self._balanced(moving, balance)
+            if y is None:
+                continue
+            values = states.values(y * self.scale[:-1])
+            if (values[n:] / self.rows[n:] >= -_QUARTER).all():
+                angles.append(float(np.arctan2(values[2], values[1])))
+                size = float(np.hypot(values[1], values[2]))
+                found.append(np.append(y, size / self.scale[-1]))
+        return np.array(angles), np.array(found).reshape(len(found), len(self.scale))
+
+    def _at_sideslip(self, share: float) -> np.ndarray:
+        """Return combinations of rows that vanish at V and a share of the largest sideslip."""
+        n, size = self.states.equalities, len(self.rows)
+        wanted = np.eye(1, size)
+        if self.states.limit_names[:2] != ["sideslip"] * 2:
+            return wanted
+        # The limits are tan(limit) u ± v, which are (1 ± share) tan(limit) u there.
+        row = np.zeros(size)
+        row[n : n + 2] = np.array([1.0 - share, -1.0 - share]) / 2.0
+        return np.array([*wanted, row * self.rows / self.rows[n]])
+
+    def _balanced(self, y: np.ndarray, wanted: np.ndarray) -> np.ndarray | None:
+        """Return states within bounds where combinations of rows vanish to a quarter of digits."""
+        box, movable = (self.low[:-1], self.high[:-1]), np.ones(len(y), dtype=bool)
+        for _ in range(_SAMPLED):
+            z = y * self.scale[:-1]
+            values = wanted @ ((self.states.values(z) - self.target) / self.rows)
+            slopes = wanted @ (self.states.slopes(z) * self.scale[:-1] / self.rows[:, None])
+            if not (np.isfinite(values).all() and np.isfinite(slopes).all()):
+                return None
+            if (np.abs(values) <= _QUARTER).all():
+                return y
+            y = _moved(y, values, slopes, box, movable)
+        return None
 
     def active(self, y: np.ndarray) -> tuple[str, ...]:
         """Return the names of unknowns at their bounds, and of limits that are reached."""
@@ -131,16 +221,7 @@ class Direction:
             bound = ROUNDED * (np.abs(slopes[: self.n]) @ np.maximum(np.abs(y), 1.0))
             if (np.abs(values[: self.n]) <= bound).all():
                 return y if (values[self.n :] >= -HALF).all() else None
-            step, free = np.zeros(len(y)), movable.copy()
-            for _ in range(len(y)):
-                rest = -values[: self.n] - slopes[: self.n] @ np.where(free, 0.0, step)
-                step[free] = least_step(slopes[: self.n, free], rest)
-                outside = free & ((y + step < low) | (y + step > high))
-                if not outside.any():
-                    break
-                step[outside] = np.clip(y + step, low, high)[outside] - y[outside]
-                free &= ~outside
-            y = np.clip(y + step, low, high)
+            y = _moved(y, values[: self.n], slopes[: self.n], (low, high), movable)
         return None
 
     def improved(self, y: np.ndarray) -> np.ndarray | None:
