@@ -258,17 +258,35 @@ OWN_POSITION = ("X", "Y", "theta")
 
 @cache
 def own_diagram():
-    angles = [0.5, np.pi / 2, 2.0, -2.0]
+    angles = [0.5, np.pi / 2, 2.0, -2.0, np.pi, 2.2]
     return gg_diagram(own_car(), SPEED, OWN_BOUNDS, directions=angles, position=OWN_POSITION)
 
 
-@pytest.mark.parametrize("k", range(3))
+@pytest.mark.parametrize("k", [0, 1, 2, 5])
 def test_a_car_on_magic_formula_tires_agrees_with_a_search_over_slips(k):
     gg = own_diagram()
     on_grid, refined = largest_by_grid(gg.directions[k])
     assert gg.acceleration[0, k] == pytest.approx(on_grid, rel=5e-3)
     assert gg.acceleration[0, k] == pytest.approx(refined, rel=1e-8)
     assert gg.active[0, k] == ()
+
+
+def test_the_front_axle_slides_far_over_its_peak_where_that_brakes_more():
+    # Its side force across steered wheels brakes a car whose brakes are at the rear alone. No
+    # path from straight ahead along which the acceleration grows leads there.
+    gg = own_diagram()
+    vx, vy, omega = gg.states[0, 2, 3:6]
+    angle = np.arctan2(vy + FRONT * omega, vx) - gg.inputs["steer"][0, 2]
+    slips = np.linspace(-0.5, 0.0, 501)
+    peak = slips[np.argmax(axle(LOADS[0], 0.0, slips)[1])]
+    assert angle < 2 * peak < 0.0
+
+
+def test_brakes_at_the_rear_alone_stop_a_car_with_the_peak_of_the_tires():
+    peak = minimize_scalar(
+        lambda slip: float(axle(LOADS[1], slip, 0.0)[0]), bounds=(-0.3, 0.0), method="bounded"
+    )
+    assert own_diagram().acceleration[0, 4] == pytest.approx(-float(peak.fun) / M, rel=1e-9)
 
 
 def test_left_and_right_turns_are_mirror_images():

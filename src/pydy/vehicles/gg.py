@@ -26,7 +26,8 @@ __dir__ = __all__.copy
 
 _DIRECTIONS = 72
 _SEARCHED = 24  # directions that are searched whatever is asked for: optima begin at those nearby
-_POLISHED = 2  # samples of a sector from which optima are searched
+_PARTS = (1, 2, 4)  # of a turn from one direction to another, if larger ones fail
+_POLISHED = 3  # samples of a sector from which optima are searched
 
 
 @dataclass(frozen=True, eq=False)
@@ -247,17 +248,21 @@ def _optima(problem: LargestAcceleration, angles: np.ndarray) -> list[np.ndarray
     sampled, samples = problem.samples()
     for k in {*places[len(angles) :].tolist()}:
         away = np.abs(np.mod(sampled - turned[k] + np.pi, 2 * np.pi) - np.pi)
-        near = samples[away <= np.pi / _SEARCHED]
-        for start in near[np.argsort(-near[:, -1], kind="stable")][:_POLISHED]:
-            best[k] = _larger(best[k], programs[k].improved(start))
+        near = np.flatnonzero(away <= np.pi / _SEARCHED)
+        for i in near[np.argsort(-samples[near, -1], kind="stable")][:_POLISHED]:
+            # A sample satisfies the equalities in its own direction: the search begins there.
+            angle = float(sampled[i])
+            start = problem.direction(angle).improved(samples[i])
+            if start is not None:
+                best[k] = _larger(best[k], _turned(problem, start, angle, turned[k]))
     changed = [k for k in range(count) if best[k] is not None]
     for _ in range(count):
         improved: set[int] = set()
         for k in changed:
             for other in ((k + 1) % count, (k - 1) % count):
-                start, known = best[k], best[other]
-                assert start is not None
-                best[other] = _larger(known, programs[other].improved(start))
+                optimum, known = best[k], best[other]
+                assert optimum is not None
+                best[other] = _larger(known, _turned(problem, optimum, turned[k], turned[other]))
                 if best[other] is not known:
                     improved.add(other)
         changed = sorted(improved)
@@ -267,6 +272,21 @@ def _optima(problem: LargestAcceleration, angles: np.ndarray) -> list[np.ndarray
         if best[k] is None:
             best[k] = programs[k].improved(programs[k].trace())
     return [best[place] for place in places[: len(angles)]]
+
+
+def _turned(
+    problem: LargestAcceleration, optimum: np.ndarray, angle: float, other: float
+) -> np.ndarray | None:
+    """Return the optimum in another direction that one leads to, by smaller turns if need be."""
+    turn = float(np.mod(other - angle + np.pi, 2 * np.pi) - np.pi)
+    for parts in _PARTS:
+        y: np.ndarray | None = optimum
+        for part in range(1, parts + 1):
+            if y is not None:
+                y = problem.direction(angle + turn * part / parts).improved(y)
+        if y is not None:
+            return y
+    return None
 
 
 def _larger(known: np.ndarray | None, trial: np.ndarray | None) -> np.ndarray | None:

@@ -98,8 +98,8 @@ class LargestAcceleration:
         states = self.states
         n, inputs = states.equalities, states.columns >= len(states.names)
         spread = np.isfinite(self.low[:-1]) & np.isfinite(self.high[:-1])
-        middle = np.where(spread, self.low[:-1] + self.high[:-1], 0.0) / 2.0
-        half = np.where(spread, self.high[:-1] - self.low[:-1], 0.0) / 2.0
+        low, high = np.where(spread, (self.low[:-1], self.high[:-1]), 0.0)
+        middle, half = (low + high) / 2.0, (high - low) / 2.0
         balance = np.eye(len(self.rows))[[0, *range(3, n)]]
         found: list[np.ndarray] = []
         angles: list[float] = []
