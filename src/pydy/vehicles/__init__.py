@@ -13,7 +13,7 @@ car with four wheels that spin, `car_trailer` one with a trailer. Modules of the
 models of your own need: `pydy.vehicles.machines` motors, gears, differentials, clutches, bushings
 and the air, `pydy.vehicles.suspensions` hard points, quarter cars and a car on springs,
 `pydy.vehicles.two_wheelers` bicycles and motorcycles, `pydy.vehicles.tracks` roads and the fastest
-laps on them, `pydy.vehicles.scenes` pictures of cars.
+laps on them, `pydy.vehicles.gg` the largest accelerations, `pydy.vehicles.scenes` pictures of cars.
 """
 
 import lazy_loader

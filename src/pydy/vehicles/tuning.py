@@ -41,3 +41,7 @@ SHORTEST_JUMP = 1e-9
 """Length within which the curvature of a track jumps where a straight meets an arc, relative to the
 length of the track: samples of the curvature are linear between places. Twice as long moves a place
 by that share; rounding of arc lengths is a millionth of it."""
+
+FLAT_OBJECTIVE = 1e-14
+"""Change of the largest acceleration at which a search for it ends, relative to its scale: some 45
+roundings. Rounding ends most searches; whether an end is an optimum is judged by multipliers."""

@@ -31,6 +31,7 @@ from pydy.vehicles import (
     steady_turn,
     step_steer,
 )
+from pydy.vehicles.gg import GGDiagram, gg_diagram
 from pydy.vehicles.machines import (
     aerodynamic_loads,
     anti_roll_bar_loads,
@@ -53,6 +54,7 @@ from pydy.vehicles.suspensions import (
 )
 from pydy.vehicles.tracks import Lap, Track, TrackSystem, along, read_track
 from zoo import inertial_frame
+from zoo.race_cars import point_mass
 from zoo.suspended import SPATIAL
 
 _FIELDS = {
@@ -933,3 +935,75 @@ def _(v):
 @target("Lap.plot.quantity", _names)
 def _(v):
     return str(plotted(_lap().plot, quantity=v))
+
+
+_FORCES = {"a_x": (-6.0, 3.0), "a_y": (-8.0, 8.0)}
+
+
+def _gg(**arguments: Any) -> Any:
+    usual = {"system": point_mass(), "speeds": 20.0, "bounds": _FORCES, "directions": [0.5]}
+    return gg_diagram(**{**usual, **arguments}).acceleration
+
+
+for _name in ("system", "position"):
+
+    @target(f"gg_diagram.{_name}", _plain)
+    def _(v, name=_name):
+        return _gg(**{name: v})
+
+
+@target("gg_diagram.bounds", nothing("texts", "symbols"))
+def _(v):
+    return _gg(bounds=v)
+
+
+@target("gg_diagram.path", nothing("texts", "symbols", allowed=empty_or_none))
+def _(v):
+    return _gg(path=v)
+
+
+@target("gg_diagram.inputs", nothing("texts", "symbols", allowed=one_of(None)))
+def _(v):
+    return _gg(inputs=v)
+
+
+def _no_pairs(value: Any) -> bool:
+    return isinstance(value, (list, tuple)) and not value
+
+
+@target("gg_diagram.exclusive", nothing("texts", "symbols", allowed=_no_pairs))
+def _(v):
+    return _gg(exclusive=v)
+
+
+@target("gg_diagram.speeds", Kind(real(above=1.0, below=1e3).read, _common, compare=False))
+def _(v):
+    return _gg(speeds=v)
+
+
+@target("gg_diagram.sideslip", Kind(real(above=0.0, below=1.5).read, _common, compare=False))
+def _(v):
+    return _gg(sideslip=v)
+
+
+@target("gg_diagram.slip", Kind(real(above=0.0).read, _common, compare=False))
+def _(v):
+    return _gg(slip=v)
+
+
+_angles = array((None,), check=lambda a: np.isfinite(a).all())
+_directions = Kind(_angles.read, ("common", "arrays"), compare=False).or_none()
+
+
+@target("gg_diagram.directions", _directions)
+def _(v):
+    return _gg(directions=v)
+
+
+@target("GGDiagram.plot.ax", _ax)
+def _(v):
+    nothing_active = np.empty((1, 2), dtype=object)
+    diagram = GGDiagram(
+        np.ones(1), np.zeros(2), np.ones((1, 2)), np.ones((1, 2, 4)), {}, nothing_active
+    )
+    return str(plotted(diagram.plot, v))
