@@ -976,12 +976,12 @@ def _(v):
     return _gg(exclusive=v)
 
 
-@target("gg_diagram.speeds", Kind(real(above=1.0, below=1e3).read, _common, compare=False))
+@target("gg_diagram.speeds", Kind(real(least=1.0, below=1e3).read, _common, compare=False))
 def _(v):
     return _gg(speeds=v)
 
 
-@target("gg_diagram.sideslip", Kind(real(above=0.0, below=1.5).read, _common, compare=False))
+@target("gg_diagram.sideslip", Kind(real(above=0.0, below=np.pi / 2).read, _common, compare=False))
 def _(v):
     return _gg(sideslip=v)
 
@@ -991,7 +991,7 @@ def _(v):
     return _gg(slip=v)
 
 
-_angles = array((None,), check=lambda a: np.isfinite(a).all())
+_angles = array((), (None,), check=lambda a: np.isfinite(a).all())
 _directions = Kind(_angles.read, ("common", "arrays"), compare=False).or_none()
 
 
