@@ -24,7 +24,12 @@ from pydy.system import System
 from pydy.trajectory import Trajectory
 from pydy.vehicles.lap import Lap
 from pydy.vehicles.manoeuvres import check_name, names_of, three_names
-from pydy.vehicles.planar import check_expressions, check_symmetry, fixed_inputs
+from pydy.vehicles.planar import (
+    check_expressions,
+    check_symmetry,
+    check_unconstrained,
+    fixed_inputs,
+)
 from pydy.vehicles.track import Track
 
 if TYPE_CHECKING:
@@ -431,11 +436,7 @@ class _Planar:
         self.system, self.position = system, position
         self.x, self.y, self.psi = position
         equations = system.equations_of_motion()
-        if equations.constraint_jacobian.rows or system.auxiliaries:
-            raise NotImplementedError(
-                "`system` must have no constraints and no auxiliary states; use coordinates that "
-                "are independent."
-            )
+        check_unconstrained(system, equations.constraint_jacobian)
         rates = dict(zip(equations.coordinates, equations.kinematics, strict=True))
         full = {q: equations.written_out(rate) for q, rate in rates.items()}
         self.planar_rates = [full[q] for q in position]

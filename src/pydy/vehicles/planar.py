@@ -21,6 +21,15 @@ _TRIALS = 5  # random states at which a system's symmetry is tested
 Position = tuple[Any, Any, Any]  # the coordinates x and y of a point, and the yaw angle
 
 
+def check_unconstrained(system: System, constraint_jacobian: sm.MatrixBase) -> None:
+    """Refuse a system with constraints or auxiliary states."""
+    if constraint_jacobian.rows or system.auxiliaries:
+        raise NotImplementedError(
+            "`system` must have no constraints and no auxiliary states; use coordinates that are "
+            "independent."
+        )
+
+
 def check_expressions(expressions: list[sm.Expr], position: Position) -> None:
     """Refuse equations that depend on the position, time, or derivatives of specifieds."""
     t = me.dynamicsymbols._t

@@ -17,7 +17,7 @@ from pydy._names import some
 from pydy._rank import equilibrated, independent_columns
 from pydy.system import System
 from pydy.vehicles.manoeuvres import check_name, names_of, three_names
-from pydy.vehicles.planar import Position, check_symmetry, fixed_inputs
+from pydy.vehicles.planar import Position, check_symmetry, check_unconstrained, fixed_inputs
 
 _SPREAD = 0.1  # of a random state, where the speeds that make up the velocity are found
 
@@ -152,11 +152,7 @@ class QuasiSteadyStates:
     def _equalities(self, system: System) -> tuple[list[sm.Expr], sm.Expr, sm.Expr]:
         """Return V, a_t, V ψ' and the rates that are zero, and the velocity ahead and aside."""
         equations = system.equations_of_motion()
-        if equations.constraint_jacobian.rows or system.auxiliaries:
-            raise NotImplementedError(
-                "`system` must have no constraints and no auxiliary states; use coordinates that "
-                "are independent."
-            )
+        check_unconstrained(system, equations.constraint_jacobian)
         kinematics = dict(zip(equations.coordinates, equations.kinematics, strict=True))
         ahead, aside, yaw_rate = (
             equations.written_out(kinematics[q]).xreplace({self.position[2]: sm.S.Zero})
