@@ -232,8 +232,11 @@ def warn_of_kinks(
     sides = values["slopes"].reshape(m, count, 2 * width, n + w)
     slopes = np.concatenate([switch_slopes, sides], axis=2)
     rows = np.broadcast_to(at.r, (m, w))
+    several = {
+        k: _slopes_beside(at, k, _directions(T[k], columns, w), parts)
+        for k in map(int, np.flatnonzero(near.sum(axis=1) > 1))
+    }
     for k, switch in np.argwhere(near):
-        several = near[k].sum() > 1
         with np.errstate(all="ignore"):  # non-finite values are reported where they are used
             directional = slopes[k, switch, :, :n] @ T[k]
             by_inputs = slopes[k, switch, :, n:][:, [*columns]]
@@ -243,8 +246,8 @@ def warn_of_kinks(
         jumps = np.broadcast_to(steps[k, switch][:, None], above.shape)
         turns = (np.abs(above - below) > HALF * largest) | (jumps > 0.0)
         turns &= directional[0] != 0.0
-        if several:  # what they do together is on neither side of one alone
-            one, other, error = _slopes_beside(at, k, _directions(T[k], columns, w), parts)
+        if k in several:  # what they do together is on neither side of one alone
+            one, other, error = several[k]
             sizes = np.maximum(largest, np.maximum(np.abs(one), np.abs(other)))
             known = error <= _SAME_SLOPE * sizes
             differ = np.abs(one - other) > np.maximum(4.0 * error, HALF * sizes)
