@@ -18,11 +18,13 @@ from .discontinuities import (
     jumps_by_time as jumps_by_time,
     node_of as node_of,
     warn_of_jumps as warn_of_jumps,
-    warn_of_kinks as warn_of_kinks,
-    warn_of_protected_states as warn_of_protected_states,
     watched as watched,
 )
 from .judges import judge_motion as judge_motion, judge_start as judge_start
+from .kinks import (
+    warn_of_kinks as warn_of_kinks,
+    warn_of_protected_states as warn_of_protected_states,
+)
 from .missing_derivatives import warn_of_missing_derivatives as warn_of_missing_derivatives
 from .passages import (
     MotionPath as MotionPath,

@@ -8,21 +8,24 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pydy._assembly import Assembly, Definition, Plan, differentiated, kinetic_hessian
+from pydy._assembly import Assembly, Definition, Plan, differentiated
 from pydy._errors import warn_user
 from pydy._graph import (
-    Branches,
-    inputs_of,
     jacobian,
     rounding_bounds,
-    substitute,
 )
 from pydy._interpolation import in_order
 from pydy._judges.passages import MotionPath, Values, WatchedQuantities, jump_message, passages
+from pydy._judges.switched_rates import (
+    has_any,
+    inputs_of_groups,
+    loads_and_rates,
+    switched_blocks,
+)
 from pydy._kernel import KernelCall
 from pydy._motion import EvaluationRecorder, Motion
 from pydy._problem import Problem, StateSamples, evaluate_specifieds
-from pydy._rank import HALF, ROUNDING, is_zero
+from pydy._rank import HALF, is_zero
 from pydy.inputs import jumps_of, merged_jumps
 from pydy.solvers import Options
 
@@ -35,56 +38,6 @@ if TYPE_CHECKING:
 _MISSED = 100.0  # in tolerances of a step: the error of a full motion may be this many
 
 
-def _switched(
-    assembly: Assembly,
-    nodes: Sequence[int],
-    searched: Sequence[int],
-    inputs: str,
-    other_inputs: str = "",
-    bends: bool = False,
-) -> tuple[list[int], dict[str, list[int]]]:
-    """Return the switches in `searched` that depend on `inputs`, also as named blocks.
-
-    They may depend on `other_inputs` in addition. With `bends`, those count too at which the nodes
-    only have kinks.
-    """
-    graph = assembly.graph
-    switches: list[int] = []
-    steps: list[int] = []
-    for switch in Branches(graph, searched).switches(whole=True):
-        above, below = Branches(graph, nodes).sides(switch, bends)
-        inputs_of_switch = inputs_of(graph, [switch]).groups
-        relevant = inputs_of_switch & {*inputs} and inputs_of_switch <= {*inputs, *other_inputs}
-        if above != below and relevant:
-            switches.append(switch)
-            steps += map(graph.sub, above, below)
-    return switches, {"nodes": [*nodes] if switches else [], "switches": switches, "steps": steps}
-
-
-def _loads_and_rates(assembly: Assembly, coordinates: int) -> tuple[list[int], list[int]]:
-    """Return the rates, with loads for u' where these suffice, and the nodes to search."""
-    graph, blocks = assembly.graph, assembly.blocks
-    nodes = [*blocks.rates]
-    if len(blocks.forcing) != len(assembly.speeds):
-        return nodes, nodes
-    # The pivots by which constraints reduce the mass matrix contain switches; exclude them.
-    matrix = (blocks.velocity and kinetic_hessian(assembly)) or blocks.mass_matrix
-    if Branches(graph, matrix).switches(whole=True):
-        return nodes, nodes
-    speed_rows = slice(coordinates, coordinates + len(assembly.speeds))
-    # Other rates may contain u', such as those of implicit speeds: search them with u' replaced by
-    # the loads.
-    pairs = zip(nodes[speed_rows], blocks.forcing, strict=True)
-    loads = {u: load for u, load in pairs if graph.operands(u)}
-    nodes[speed_rows] = blocks.forcing
-    return nodes, substitute(graph, nodes, loads)
-
-
-def _inputs(assembly: Assembly, groups: str) -> list[int]:
-    sizes = dict(zip("xrp", assembly.sizes, strict=True))
-    return [assembly.graph.input(group, k) for group in groups for k in range(sizes[group])]
-
-
 @dataclass(frozen=True)
 class Discontinuities:
     """The switches of rates and of the `integral`, their derivatives, and the steps there."""
@@ -93,36 +46,15 @@ class Discontinuities:
     integral: int | sm.Expr | None = None
 
     def __call__(self, assembly: Assembly) -> dict[str, list[int]]:
-        nodes, searched = _loads_and_rates(assembly, self.coordinates)
+        nodes, searched = loads_and_rates(assembly, self.coordinates)
         if self.integral is not None:
             integrand = node_of(assembly, self.integral, "`integral`")
             nodes, searched = [*nodes, integrand], [*searched, integrand]
-        switches, blocks = _switched(assembly, nodes, searched, "xrp", "t")
+        switches, blocks = switched_blocks(assembly, nodes, searched, "xrp", "t")
         return {
             **blocks,
-            "slopes": jacobian(assembly.graph, switches, _inputs(assembly, "xrp")).flat(),
+            "slopes": jacobian(assembly.graph, switches, inputs_of_groups(assembly, "xrp")).flat(),
         }
-
-
-@dataclass(frozen=True)
-class DerivativeDiscontinuities:
-    """The switches of rates with rounding bounds, and the rates' derivatives on both sides."""
-
-    coordinates: int
-
-    def __call__(self, assembly: Assembly) -> dict[str, list[int]]:
-        graph, variables = assembly.graph, _inputs(assembly, "xr")
-        nodes, searched = _loads_and_rates(assembly, self.coordinates)
-        switches, blocks = _switched(assembly, nodes, searched, "xr", "tp", bends=True)
-        both_sides = [
-            n
-            for switch in switches
-            for side in Branches(graph, nodes).sides(switch, True)
-            for n in side
-        ]
-        groups = {"switch_slopes": switches, "slopes": both_sides}
-        slopes = {name: jacobian(graph, group, variables).flat() for name, group in groups.items()}
-        return {**blocks, **slopes, "bounds": rounding_bounds(graph, switches)}
 
 
 def node_of(assembly: Assembly, term: int | sm.Expr, argument: str) -> int:
@@ -141,7 +73,7 @@ class ImpulsiveInputs:
 
     def __call__(self, assembly: Assembly) -> dict[str, list[int]]:
         nodes = [*self.nodes(assembly)]
-        return _switched(assembly, nodes, nodes, "t", "p")[1]
+        return switched_blocks(assembly, nodes, nodes, "t", "p")[1]
 
     def nodes(self, assembly: Assembly) -> dict[int, str]:
         """Return the nodes that are differentiated by time, with their names."""
@@ -158,21 +90,13 @@ class ImpulsiveInputs:
         return names
 
 
-def _switches(at: StateSamples, parts: Any, block: str = "switches") -> bool:
-    """Return whether anything switches. The answer is cached in the model."""
-    cache = at.model.latest
-    if parts not in cache:
-        cache[parts] = bool(at.interpret(parts)[block].size)
-    return bool(cache[parts])
-
-
 def watched(
     at: StateSamples, augmented: Any = None, integral: int | sm.Expr | None = None
 ) -> WatchedQuantities | None:
     """Return the quantities whose jumps must be detected, or None if nothing switches."""
     equations, states = at.definition.equations, at.definition.states
     parts = Discontinuities(len(equations.coordinates), integral)
-    if not _switches(at, parts):
+    if not has_any(at, parts):
         return None
     names = [f"the {'load on' if s in equations.speeds else 'rate of'} {s}" for s in states]
     n, parameter_columns = len(states), ()
@@ -210,191 +134,10 @@ def warn_of_jumps(
         warn_user(message)
 
 
-def warn_of_kinks(
-    at: StateSamples, T: np.ndarray, free: np.ndarray, columns: Sequence[int]
-) -> None:
-    """Warn of the first state at which the rates to be linearised have a kink or jump.
-
-    The directions are the tangents T, (m, n, k), of the `free` states, and the specifieds in
-    `columns`.
-    """
-    definition, (m, n, _) = at.definition, T.shape
-    equations, states = definition.equations, definition.states
-    parts = DerivativeDiscontinuities(len(equations.coordinates))
-    if not _switches(at, parts):
-        return
-    values, w = at.interpret(parts), len(definition.specifieds)
-    near = np.abs(values["switches"]) <= ROUNDING * values["bounds"]
-    count, width = near.shape[1], values["nodes"].shape[1]
-    steps = np.abs(values["steps"].reshape(m, count, width))
-    steps[steps <= HALF * np.abs(values["nodes"])[:, None]] = 0.0
-    switch_slopes = values["switch_slopes"].reshape(m, count, 1, n + w)
-    sides = values["slopes"].reshape(m, count, 2 * width, n + w)
-    slopes = np.concatenate([switch_slopes, sides], axis=2)
-    rows = np.broadcast_to(at.r, (m, w))
-    several = {
-        k: _slopes_beside(at, k, _directions(T[k], columns, w), parts)
-        for k in map(int, np.flatnonzero(near.sum(axis=1) > 1))
-    }
-    for k, switch in np.argwhere(near):
-        with np.errstate(all="ignore"):  # non-finite values are reported where they are used
-            directional = slopes[k, switch, :, :n] @ T[k]
-            by_inputs = slopes[k, switch, :, n:][:, [*columns]]
-            directional = np.concatenate([directional, by_inputs], axis=1)
-        above, below = directional[1 : 1 + width], directional[1 + width :]
-        largest = np.maximum(np.abs(above), np.abs(below))
-        jumps = np.broadcast_to(steps[k, switch][:, None], above.shape)
-        turns = (np.abs(above - below) > HALF * largest) | (jumps > 0.0)
-        turns &= directional[0] != 0.0
-        if k in several:  # what they do together is on neither side of one alone
-            one, other, error = several[k]
-            sizes = np.maximum(largest, np.maximum(np.abs(one), np.abs(other)))
-            known = error <= _SAME_SLOPE * sizes
-            differ = np.abs(one - other) > np.maximum(4.0 * error, HALF * sizes)
-            turns, jumps = np.where(known, differ, turns), np.where(known, 0.0, jumps)
-            above, below = np.where(known, one, above), np.where(known, other, below)
-        for row, column in np.argwhere(turns)[:1]:
-            symbols = [*(states[j] for j in free), *(definition.specifieds[j] for j in columns)]
-            value = [*at.x[k, free], *rows[k, [*columns]]][column]
-            speed = row < len(states) and states[row] in equations.speeds
-            description = f"jumps by {jumps[row, column]:.3g}"
-            if not jumps[row, column]:
-                description = f"has the slope {above[row, column]:.3g} on one side by it"
-                description += f" and {below[row, column]:.3g} on the other"
-            warn_user(
-                f"There is no linear model for both sides of t = {at.t[k]:.6g}, "
-                f"{symbols[column]} = {value:.6g}: the {'load on' if speed else 'rate of'} "
-                f"{states[row]} {description}. What is returned takes one side. Linearize beside "
-                "it, or give a smooth expression."
-            )
-            return
-
-
-# Distances from a state to both sides. Whatever its unit is, neighbours among them are small beside
-# natural lengths and large beside rounding errors, and give the same slope.
-_DISTANCES = 2.0 ** -np.arange(4.0, 100.0, step=4.0)
-_SAME_SLOPE = 2.0**-8  # an error of the first order changes sixteenfold between neighbours
-
-
-def _directions(
-    T: np.ndarray, columns: Sequence[int], specifieds: int
-) -> tuple[np.ndarray, np.ndarray]:
-    """Return directions of x and of r: the tangents T, (n, k), then single specifieds."""
-    n, k = T.shape
-    of_x, of_r = np.zeros((k + len(columns), n)), np.zeros((k + len(columns), specifieds))
-    of_x[:k] = T.T
-    of_r[range(k, k + len(columns)), [*columns]] = 1.0
-    return of_x, of_r
-
-
-def _beside(
-    at: StateSamples,
-    k: int,
-    directions: tuple[np.ndarray, np.ndarray],
-    parts: Callable[[Assembly], dict[str, list[int]]],
-    block: str,
-) -> np.ndarray:
-    """Return values beside state k, shape (directions, distances, sides, values)."""
-    of_x, of_r = directions
-    steps = _DISTANCES[:, None, None] * np.array([1.0, -1.0])[:, None]
-    x = at.x[k] + of_x[:, None, None] * steps
-    r = np.broadcast_to(at.r, (len(at.x), of_r.shape[1]))[k] + of_r[:, None, None] * steps
-    count = x[..., 0].size
-    samples = replace(at.subset(np.full(count, k)), x=x.reshape(count, -1), r=r.reshape(count, -1))
-    return samples.interpret(parts)[block].reshape(*x.shape[:3], -1)
-
-
-def _best(slopes: np.ndarray, rounding: np.ndarray | float = 0.0) -> tuple[np.ndarray, np.ndarray]:
-    """Return slopes and their errors, (values, directions), from those at all distances.
-
-    `rounding` is that of the differences of values.
-    """
-    change = np.abs(np.diff(slopes, axis=1)) + rounding / _DISTANCES[1:, None]
-    change[~np.isfinite(change)] = np.inf
-    best = change.argmin(axis=1)[:, None]
-    slope = np.take_along_axis(slopes, best + 1, axis=1)[:, 0].T
-    return slope, np.take_along_axis(change, best, axis=1)[:, 0].T
-
-
-@dataclass(frozen=True)
-class _RoundingOfRates:
-    """The rounding bounds of the rates, with loads for u' where these suffice."""
-
-    coordinates: int
-
-    def __call__(self, assembly: Assembly) -> dict[str, list[int]]:
-        nodes, _ = _loads_and_rates(assembly, self.coordinates)
-        return {"bounds": rounding_bounds(assembly.graph, nodes)}
-
-
-def _slopes_beside(
-    at: StateSamples,
-    k: int,
-    directions: tuple[np.ndarray, np.ndarray],
-    parts: DerivativeDiscontinuities,
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return the rates' slopes on both sides of state k, and errors, each (rates, directions).
-
-    By difference quotients; at a jump the errors are infinite, or larger than the slopes.
-    """
-    values, here = _beside(at, k, directions, parts, "nodes"), at.interpret(parts)["nodes"][k]
-    bounds = at.interpret(_RoundingOfRates(parts.coordinates))["bounds"][k]
-    with np.errstate(all="ignore"):
-        (above, error_above), (below, error_below) = (
-            _best(sign * (values[:, :, side] - here) / _DISTANCES[:, None], ROUNDING * bounds)
-            for side, sign in enumerate((1.0, -1.0))
-        )
-    return above, below, error_above + error_below
-
-
-@dataclass(frozen=True)
-class _ProtectedStates:
-    """The rates, and conditions that are true at single states; see `warn_of_protected_states`."""
-
-    def __call__(self, assembly: Assembly) -> dict[str, list[int]]:
-
-        graph, rates = assembly.graph, assembly.blocks.rates
-        conditions = Branches(graph, rates).protected_conditions()
-        truths = [graph.call("select", n, graph.one, graph.zero) for n in conditions]
-        return {"conditions": truths, "rates": [*rates] if conditions else []}
-
-
-def warn_of_protected_states(
-    at: StateSamples, T: np.ndarray, free: np.ndarray, A: np.ndarray
-) -> None:
-    """Warn of the first state at which a Piecewise protects the rates from a division by zero.
-
-    In ``Piecewise((0, Eq(s, 0)), (tanh(s) v / s, True))``, with a sliding speed s, what stands at
-    s = 0 has the slope zero by v, and both sides have the slope 1. The derivatives A, (m, k, k),
-    are compared with difference quotients along the tangents T, (m, n, k), of the `free` states.
-    """
-    parts = _ProtectedStates()
-    if not _switches(at, parts, "conditions"):
-        return
-    states, specifieds = at.definition.states, len(at.definition.specifieds)
-    for k in map(int, np.flatnonzero(at.interpret(parts)["conditions"].any(axis=1))):
-        rates = _beside(at, k, _directions(T[k], (), specifieds), parts, "rates")[..., free]
-        with np.errstate(all="ignore"):
-            slope, error = _best((rates[:, :, 0] - rates[:, :, 1]) / (2.0 * _DISTANCES[:, None]))
-        largest = np.maximum(np.abs(slope), np.abs(A[k]))
-        lost = (error <= _SAME_SLOPE * np.abs(slope)) & (np.abs(slope - A[k]) > HALF * largest)
-        for row, column in np.argwhere(lost)[:1]:
-            rate, state = (states[free[i]] for i in (row, column))
-            speed = rate in at.definition.equations.speeds
-            warn_user(
-                f"At t = {at.t[k]:.6g}, {state} = {at.x[k, free[column]]:.6g} a Piecewise has a "
-                f"branch for this state alone: the {'load on' if speed else 'rate of'} {rate} has "
-                f"the slope {slope[row, column]:.3g} by {state} on both sides, but "
-                f"{A[k][row, column]:.3g} is returned, that of the branch. Linearize beside it, or "
-                "write it without a division by zero, for example with sqrt(v**2 + epsilon**2)."
-            )
-            return
-
-
 def warn_of_impulses(problem: Problem, times: np.ndarray) -> None:
     """Warn if a prescribed motion or a constraint jumps although the equations differentiate it."""
     parts = ImpulsiveInputs(problem.definition, problem.plan)
-    if not _switches(problem.at(times[:1], problem.x[None]), parts):
+    if not has_any(problem.at(times[:1], problem.x[None]), parts):
         return
     assembly = problem.code.assembly.fork()
     names = parts.nodes(assembly)
