@@ -104,7 +104,8 @@ def _differ(sides: np.ndarray) -> np.ndarray:
     """Return the variables by which slopes, (switches, 2, rates, variables), differ."""
     above, below = np.moveaxis(sides, 1, 0)
     largest = np.maximum(np.abs(above), np.abs(below))
-    return np.any(np.abs(above - below) > HALF * largest, axis=(0, 1))
+    variables: np.ndarray = (np.abs(above - below) > HALF * largest).any(axis=(0, 1))
+    return variables
 
 
 def _weights(involved: np.ndarray) -> np.ndarray:
