@@ -94,7 +94,9 @@ class OperationTable(dict[str, Operation]):
     solves = frozenset({"factor", "solve", "guard"})
     """What solves linear systems: vectors, of which there are items."""
     angles = ("sin", "cos")
-    """Computed as a pair, and for several angles together."""
+    """Computed as a pair."""
+    together = (*angles, "atan")
+    """Computed for several arguments together, also of one state."""
 
     def __init__(self) -> None:
         super().__init__()

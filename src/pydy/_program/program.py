@@ -302,8 +302,8 @@ def _in_order_of_need(tape: Tape, roots: Iterable[int]) -> list[int]:
     done: set[int] = set()
     roots = list(roots)
     levels = _levels(tape)
-    # All angles whose sine or cosine is taken come first: a back end can then do several at once.
-    stack = [*roots[::-1], *_angles_first(tape, roots)[::-1]]
+    # All arguments of some functions come first: a back end can then do several at once.
+    stack = [*roots[::-1], *_arguments_first(tape, roots)[::-1]]
     while stack:
         node = stack.pop()
         if node < 0:
@@ -341,8 +341,11 @@ def _levels(tape: Tape) -> list[int]:
     return levels
 
 
-def _angles_first(tape: Tape, roots: Sequence[int]) -> list[int]:
-    """Return the arguments of sines and cosines, then these functions, innermost first."""
+def _arguments_first(tape: Tape, roots: Sequence[int]) -> list[int]:
+    """Return the arguments of functions computed together, then these functions, innermost first.
+
+    Each level has the functions whose arguments hold as many others in a row.
+    """
     reached = set(roots)
     stack = list(roots)
     while stack:
@@ -357,7 +360,7 @@ def _angles_first(tape: Tape, roots: Sequence[int]) -> list[int]:
         inner = max(
             (depth[k] for k in OPERATIONS.operands(tape.ops[node], tape.args[node])), default=0
         )
-        if tape.ops[node] in OPERATIONS.angles:
+        if tape.ops[node] in OPERATIONS.together:
             levels.setdefault(inner, []).append(node)
             inner += 1
         depth[node] = inner

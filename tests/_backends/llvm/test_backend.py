@@ -3,6 +3,7 @@
 import copy
 import ctypes
 import pickle
+import re
 from functools import cache
 
 import mpmath as mp
@@ -29,6 +30,7 @@ from pydy._graph.linear_system import LinearSystem
 from pydy._graph.node import Graph
 from pydy._program.interpret import run
 from pydy._program.program import Program, Tape
+from pydy.vehicles import commonroad_car
 
 LANES = [1, 2, 4, 8]
 NAN, INF = np.nan, np.inf
@@ -208,6 +210,31 @@ def test_arctangents_are_right_to_the_last_place(lanes):
 def test_arctangents_of_zeros_infinities_and_no_numbers(lanes):
     x = np.array([0.0, -0.0, np.inf, -np.inf, np.nan, 5e-324, -5e-324, 1.7e308])
     assert arctangents(x, lanes).tobytes() == np.arctan(x).tobytes()
+
+
+@pytest.mark.parametrize("count", [1, 2, 3, 4, 7])
+def test_arctangents_of_one_state_are_computed_together(count):
+    tape = Tape()
+    x = [tape.make("input", "x", k) for k in range(count)]
+    inner = [tape.make("sub", a, tape.make("atan", a)) for a in x]
+    outer = [tape.make("atan", a) for a in inner]
+    program = Program.from_tape(tape, (count, 0, 0), [("values", (count,), outer)])
+    calls = re.findall(r"call .*@atan\.lanes(\d)\(", kernel_text(program, 1))
+    groups = {1: [1], 2: [2], 3: [4], 4: [4], 7: [4, 4]}[count]
+    assert [int(width) for width in calls] == 2 * groups  # the inner ones, then the outer ones
+    states = np.random.default_rng(2).normal(size=(16, count))
+    arguments = np.zeros(16), states, np.empty((1, 0)), np.empty(0)
+    alone, together = (LLVMBackend(lanes=n).compile(program).evaluate(*arguments) for n in (1, 8))
+    assert alone[0].tobytes() == together[0].tobytes()
+    exact = np.arctan(states - np.arctan(states))
+    np.testing.assert_allclose(alone[0], exact, rtol=1e-15, atol=1e-16)
+
+
+def test_the_arctangents_of_four_tires_take_a_quarter_of_the_calls():
+    car = commonroad_car("ford_escort", "MB", speed=15.0)
+    program = car._now().model.code.compiled("rates").program
+    calls = re.findall(r"call .*@atan\.lanes(\d)\(", kernel_text(program, 1))
+    assert (program.operation_count["run"]["atan"], calls) == (56, ["4"] * 14)
 
 
 def arctangents(x, lanes):

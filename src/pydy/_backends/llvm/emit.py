@@ -6,6 +6,7 @@ LLVM, so that the last bit depends neither on LLVM's optimisation level nor on t
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections.abc import Iterator
 from contextlib import contextmanager
 from itertools import chain
@@ -358,12 +359,18 @@ class Emitter:
         self.destinations: dict[int, list[tuple[str, int, int]]] = {}
         self.solves = Solves(self)
         self.angles: dict[int, tuple[ValueLocation, ValueLocation]] = {}
+        self.arctangents: dict[int, ValueLocation] = {}
         # Operations that are not written in the order of the Program.
         self.deferred = (
             {k for nodes in program.fallback.values() for k in nodes}
             if selected is None
             else set(range(len(program.ops))) - selected
         )
+        self.together = [
+            k
+            for k, op in enumerate(program.ops)
+            if op in OPERATIONS.together and program.setup[k] == setup
+        ]
         self.carried_index: dict[int, int] = {}
         if not setup:
             self.carried_index = {node: index for index, node in enumerate(program.carried)}
@@ -529,7 +536,12 @@ class Emitter:
         self.names[node] = self.f.let(f"call {self.v} @{name}({text})")
 
     def _arctangent(self, node: int, word: str, a: int) -> None:
-        self._call(node, f"{ARCTANGENT}{self.lanes}", (a,))
+        if self.lanes > 1 or node in self.deferred:
+            self._call(node, f"{ARCTANGENT}{self.lanes}", (a,))
+            return
+        if a not in self.arctangents:
+            self._take_arctangents(node)
+        self._name(node, self.arctangents[a])
 
     def _sincos(self, node: int, word: str, angle: int) -> None:
         if angle not in self.angles:
@@ -581,13 +593,8 @@ class Emitter:
 
     def _take_angles(self, node: int) -> None:
         """Write sine and cosine of an angle together with all other angles computed so far."""
-        f, program = self.f, self.program
-        waiting = dict.fromkeys(
-            program.args[k][0]
-            for k in range(node, len(program.ops))
-            if program.ops[k] in OPERATIONS.angles and program.setup[k] == program.setup[node]
-        )
-        ready = [k for k in waiting if k in self.names and k not in self.angles]
+        f = self.f
+        ready = [k for k in self._ready(node, OPERATIONS.angles) if k not in self.angles]
         if self.lanes > 1:
             for start in range(0, len(ready), 8):  # 84 stores instead of 140 for five links
                 group = ready[start : start + 8]
@@ -595,27 +602,58 @@ class Emitter:
                 pairs = sincos_together(f, [self.names[k] for k in group], self.lanes)
                 self.angles.update(zip(group, pairs, strict=True))
             return
-        while ready:
-            width = next(w for w in WIDTHS if w >= min(len(ready), PACKED))
-            group, ready = ready[:width], ready[width:]
-            self._side_by_side(group, width)
+        for group, packed, width in self._packed(ready):
+            sine, cosine = sincos(f, packed, width)
+            if width == 1:
+                self.angles[group[0]] = sine, cosine
+                continue
+            v = vector_type("double", width)
+            slot = f.slot(v, 2)
+            f.store(v, sine, slot)
+            f.store(v, cosine, slot, "1")
+            for lane, angle in enumerate(group):
+                self.angles[angle] = ((slot, lane), (slot, width + lane))
 
-    def _side_by_side(self, group: list[int], width: int) -> None:
+    def _take_arctangents(self, node: int) -> None:
+        """Write an arctangent together with all others whose arguments are computed."""
         f = self.f
-        if width == 1:
-            self.angles[group[0]] = sincos(f, self.names[group[0]], 1)
-            return
-        v = vector_type("double", width)
-        packed = "poison"
-        for lane in range(width):
-            value = self.names[group[min(lane, len(group) - 1)]]
-            packed = f.let(f"insertelement {v} {packed}, double {value}, i32 {lane}")
-        sine, cosine = sincos(f, packed, width)
-        slot = f.slot(v, 2)
-        f.store(v, sine, slot)
-        f.store(v, cosine, slot, "1")
-        for lane, angle in enumerate(group):
-            self.angles[angle] = ((slot, lane), (slot, width + lane))
+        ready = [k for k in self._ready(node, ("atan",)) if k not in self.arctangents]
+        for group, packed, width in self._packed(ready):
+            v = vector_type("double", width)
+            result = f.let(f"call {v} @{ARCTANGENT}{width}({v} {packed})")
+            if width == 1:
+                self.arctangents[group[0]] = result
+                continue
+            slot = f.slot(v)
+            f.store(v, result, slot)
+            for lane, argument in enumerate(group):
+                self.arctangents[argument] = (slot, lane)
+
+    def _ready(self, node: int, functions: tuple[str, ...]) -> list[int]:
+        """Return the arguments of functions, from one on, that are computed."""
+        program = self.program
+        waiting = dict.fromkeys(
+            program.args[k][0]
+            for k in self.together[bisect_left(self.together, node) :]
+            if program.ops[k] in functions and k not in self.deferred
+        )
+        return [k for k in waiting if k in self.names]
+
+    def _packed(self, arguments: list[int]) -> Iterator[tuple[list[int], str, int]]:
+        """Yield groups of arguments, each with its vector and the width of that."""
+        f = self.f
+        while arguments:
+            width = next(w for w in WIDTHS if w >= min(len(arguments), PACKED))
+            group, arguments = arguments[:width], arguments[width:]
+            if width == 1:
+                yield group, self.names[group[0]], width
+                continue
+            v = vector_type("double", width)
+            packed = "poison"
+            for lane in range(width):
+                value = self.names[group[min(lane, len(group) - 1)]]
+                packed = f.let(f"insertelement {v} {packed}, double {value}, i32 {lane}")
+            yield group, packed, width
 
 
 def called_functions(program: Program, kind: str) -> dict[str, int]:

@@ -110,7 +110,7 @@ def _declarations(program: Program, lanes: int) -> str:
     ]
     if OPERATIONS.solves & set(program.ops):
         lines.append(solver_declarations(lanes))
-    packs = WIDTHS if lanes == 1 and set(OPERATIONS.angles) & set(program.ops) else (lanes,)
+    packs = WIDTHS if lanes == 1 and set(OPERATIONS.together) & set(program.ops) else (lanes,)
     lines.append(_arithmetic_declarations(packs))
     for name, arity in called_functions(program, "intrinsic").items():
         if name != "fabs":
