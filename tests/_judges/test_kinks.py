@@ -1,5 +1,8 @@
 """Linear models at kinks and jumps: either both sides have them, or a warning comes."""
 
+import warnings
+
+import mpmath as mp
 import numpy as np
 import pytest
 import sympy as sm
@@ -136,3 +139,51 @@ def test_a_slope_that_a_protected_division_hides_is_told(slope):
 def test_a_protected_division_whose_branch_is_right_is_not_told():
     ratio = sm.Piecewise((1, sm.Eq(V, 0)), (sm.sin(V) / V, True))
     assert particle_with(-X * ratio).linearize(at={}).A[1].tolist() == [-1.0, 0.0]
+
+
+def random_load(rng):
+    """A sum of terms that switch at the origin, some of them with a kink."""
+    variables = (X, Y, V, W)
+
+    def line():
+        chosen = rng.choice(4, size=rng.integers(1, 3), replace=False)
+        return sum(int(rng.choice([1, -1, 2, 3])) * variables[k] for k in chosen)
+
+    def term():
+        a, b = line(), line()
+        forms = (
+            lambda: sm.Abs(a) * sm.sign(b),
+            lambda: sm.Max(a, b),
+            lambda: sm.Min(a, b),
+            lambda: a * sm.sign(b),
+            lambda: sm.Max(a, 0) * sm.Heaviside(b, 0.5),
+            lambda: sm.Piecewise((a, b > 0), (line(), True)),
+            lambda: sm.Abs(sm.exp(a) - 1),
+            lambda: sm.Abs(a) * b,
+            lambda: a * b,
+            lambda: sm.sin(a),
+        )
+        return int(rng.choice([1, -1, 2, -3])) * forms[rng.integers(len(forms))]()
+
+    return sum((term() for _ in range(rng.integers(1, 4))), sm.S.Zero)
+
+
+@pytest.mark.parametrize("seed", range(60))
+def test_a_warning_comes_where_a_load_is_not_linear_and_only_there(seed):
+    rng = np.random.default_rng(seed)
+    force = random_load(rng)
+    with warnings.catch_warnings(record=True) as told:
+        warnings.simplefilter("always")
+        row = plane_particle(force).linearize(at={}).A[2]
+    load = sm.lambdify((X, Y, V, W), force, "mpmath")
+    with mp.workdps(60):
+        directions = [*np.eye(4), *rng.normal(size=(40, 4))]
+        slopes = [
+            [load(*(h * mp.mpf(c) for c in d)) / h for h in (mp.mpf("1e-25"), mp.mpf("-1e-25"))]
+            for d in directions
+        ]
+    differ = [
+        max(abs(float(slope) - row @ d) for slope in both)
+        for d, both in zip(directions, slopes, strict=True)
+    ]
+    assert bool(told) == (max(differ) > 1e-9)
