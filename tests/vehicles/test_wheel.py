@@ -185,6 +185,20 @@ def test_slips_with_relaxation_are_the_same_for_wheels_of_any_size(scale):
     assert slips(scale) == pytest.approx(slips(1.0), rel=1e-12)
 
 
+@pytest.mark.parametrize("side", [1, -1])
+def test_a_tire_at_rest_is_a_spring_beside_a_damper(side):
+    """Its slips grow with the rates of the deflections: a swing to any side dies out."""
+    u, v = me.dynamicsymbols("u v")
+    t, T = me.dynamicsymbols._t, 0.05
+    sliding = SlidingSpeeds(0.3, sm.S.Zero, sm.Float(0.02 * side), sm.Float(-0.03 * side))
+    values = {"damping": T, "low_speed": 1.0, "sliding_slip": 0.2}
+    slips = transient_slips(sliding, (0.4, 0.5), (u, v), values)
+    at_zero = [e.subs({u.diff(t): 0, v.diff(t): 0}).subs({u: 0, v: 0}) for e in slips.equations]
+    u_rate, v_rate = (-float(e) for e in at_zero)
+    assert float(slips.kappa.subs(u, 0)) == pytest.approx(T * u_rate / 0.4, rel=1e-12)
+    assert float(slips.alpha.subs(v, 0)) == pytest.approx(np.arctan(T * v_rate / 0.5), rel=1e-12)
+
+
 def rolling(tire=None, *, slope=0.0, across=False, lengths=LENGTHS, **options):
     """A wheel that rolls along x, with a lateral speed, and the deflections of its tire."""
     x, y, z, q, vx, vy, vz, spin, u, v = me.dynamicsymbols("x y z q vx vy vz w u v")
