@@ -157,6 +157,7 @@ def poisson(
     for number in range(len(pushed) + 1):
         for pushing in itertools.combinations(pushed, number):  # contacts with P > 0
             leaves = [i for i in pushed if i not in pushing]
+            # Where P = 0, the normal impulse is known, e Λ_C, and friction is bounded by it.
             second = replace(
                 problem,
                 free=free,
@@ -307,9 +308,9 @@ def _find_impact(
 ) -> tuple[ImpactResult, dict[int, float]]:
     """Return an impact, and the speeds of rebounds that are suppressed as too low."""
     hypothesis, e, speed = run.compiled.hypothesis, p.restitution, p.moving()
-    every, free = frozenset(hit), np.zeros(len(e))
-    flying = problem
-    problem = replace(problem, hold=p.mu, pressed=free, at_rest=every, closed=every)
+    every, flying = frozenset(hit), problem
+    # No contact is pressed by other than the impulses that are sought.
+    problem = replace(problem, hold=p.mu, pressed=np.zeros(len(e)), at_rest=every, closed=every)
     by_phases = hypothesis == "poisson"
     suppressed: dict[int, float] = {}
     effective = e.copy()

@@ -38,7 +38,8 @@ class RobotJoint:
     relaxed: float = 0.0  # the coordinate at which the spring is relaxed
     armature: float = 0.0
     friction: float = 0.0
-    mimics: tuple[str, float, float] | None = None  # a joint, a factor, a constant
+    # A joint, a factor and a constant: the coordinate is factor q + constant.
+    mimics: tuple[str, float, float] | None = None
     location: str = ""
 
 

@@ -48,6 +48,9 @@ def transient_slips(
     sideways; where such a wheel stops, its tire would push it back over that distance. Beyond the
     slip s the deflections are bounded as in the LuGre model, and the slips are scaled to what they
     would be without this bound.
+
+    The deflection u is forward and shrinks as the material slides forward, v is to the right and
+    grows as it slides to the left. Near rest, slips also grow with the rates of u and v: a damper.
     """
     lag_x, lag_y = _lengths(lengths, SHORTEST_RELAXATION * sliding.radius)
     u, v = _deflections(deflections)
