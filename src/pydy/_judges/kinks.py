@@ -261,10 +261,15 @@ def _slopes_beside(
     By difference quotients; at a jump the errors are infinite, or larger than the slopes.
     """
     values, here = _beside(at, k, directions, parts, "nodes"), at.interpret(parts)["nodes"][k]
-    bounds = at.interpret(_RoundingOfRates(parts.coordinates))["bounds"][k]
+    of_rates = _RoundingOfRates(parts.coordinates)
+    # Terms may be zero at the state itself.
+    bounds = _beside(at, k, directions, of_rates, "bounds") + at.interpret(of_rates)["bounds"][k]
     with np.errstate(all="ignore"):
         (above, error_above), (below, error_below) = (
-            _best(sign * (values[:, :, side] - here) / _DISTANCES[:, None], ROUNDING * bounds)
+            _best(
+                sign * (values[:, :, side] - here) / _DISTANCES[:, None],
+                ROUNDING * bounds[:, 1:, side],
+            )
             for side, sign in enumerate((1.0, -1.0))
         )
     return above, below, error_above + error_below

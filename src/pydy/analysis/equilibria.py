@@ -158,8 +158,9 @@ def solve_equilibrium(problem: RootProblem, start: np.ndarray, bounds: Bounds) -
     do not determine. Raise EquilibriumError if there is none.
     """
     z = np.clip(start, *bounds)
+    # What settles first may end many turns away, at a place that rounding errors decide about.
     first_error: EquilibriumError | None = None
-    for attempt in ("near", "settled", "units"):
+    for attempt in ("near", "units", "settled"):
         begin = z
         with np.errstate(all="ignore"):
             if attempt == "settled":
