@@ -93,7 +93,7 @@ _JAX: Template = (
     '    """{purpose}"""',
     "    t, x, r, p = _arguments(t, x, r, p)",
     "    {body}",
-    "    return _stacked([{results}], t, x, r{shape})",
+    "    return _stacked([{results}], t, x, r, p{shape})",
     "",
 )
 _FUNCTION = {
