@@ -65,10 +65,10 @@ def test_error_functions_need_no_scipy(tmp_path, target):
     text = path.read_text(encoding="utf-8")
     assert "scipy" not in text.replace("jax.scipy", "")
     exec(text, names)
-    accuracy = 1e-6 if target == "jax" else 1e-15  # JAX has single precision by itself
-    for x in (0.3, -4.0):
+    accuracy = 1e-5 if target == "jax" else 1e-14  # JAX has single precision by itself
+    for x in (0.3, -4.0, 0.999, 1.001, 2.0, 6.0):
         found = np.ravel(np.array(names["rates"](0.0, [x, x, 0.0, 0.0], [], [])))
-        assert found[2:] == pytest.approx([math.erf(x), math.erfc(x)], rel=accuracy)
+        assert found[2:] == pytest.approx([math.erf(x), math.erfc(x)], rel=accuracy, abs=0.0)
 
 
 def test_names_are_strings_that_nothing_ends(tmp_path):

@@ -38,9 +38,9 @@ function erf(x) {
 }
 
 function erfc(x) {
-  if (!(x > 2)) return 1 - erf(x);
+  if (!(x > 1)) return 1 - erf(x);
   let tail = x;
-  for (let k = 60; k > 0; k -= 1) tail = x + k / 2 / tail;
+  for (let k = 200; k > 0; k -= 1) tail = x + k / 2 / tail;
   return exp(-x * x) / (sqrt(Math.PI) * tail);
 }
 

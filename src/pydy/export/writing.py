@@ -72,7 +72,7 @@ def _dialect(module: str) -> Dialect:
 _OF_CASADI = {
     **{"abs": "fabs({0})", "min": "fmin({0}, {1})", "max": "fmax({0}, {1})"},
     **{"and": "logic_and({0}, {1})", "or": "logic_or({0}, {1})", "not": "logic_not({0})"},
-    **{"select": "if_else({0}, {1}, {2})", "pow": "{0} ** {1}", "erfc": "1 - erf({0})"},
+    **{"select": "if_else({0}, {1}, {2})", "pow": "{0} ** {1}", "erfc": "_erfc({0})"},
 }
 _CASADI = Dialect(
     operation=lambda row: re.sub(r"\b(?=[a-z]\w*\()", "ca.", _OF_CASADI.get(row.name, row.c)),
@@ -182,6 +182,8 @@ def python_source(model: Model, target: str, head: Sequence[str]) -> str:
     text = numbered(resource(f"{target}_module.py.txt"))
     if "_guarded(_constrained" not in parts["FUNCTIONS"]:
         text = re.sub(r"def _constrained\(.*?(?=def _guarded)", "", text, flags=re.DOTALL)
+    if "_erfc(" not in parts["FUNCTIONS"]:
+        text = re.sub(r"def _erfc\(.*?(?=def _guarded)", "", text, flags=re.DOTALL)
     return re.sub(r"\{\{([A-Z]+)\}\}", lambda m: parts[m[1]], text)
 
 
