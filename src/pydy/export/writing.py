@@ -330,6 +330,11 @@ def check_options(path: Path, options: dict[str, object]) -> None:
     checked(FORMATS[kind].options, options)
 
 
+def solves(path: Path) -> bool:
+    """Return whether the code in a file of this name will have a solver."""
+    return FORMATS[path.suffix.lower()].solves
+
+
 def _head(model: Model) -> list[str]:
     """Return lines for the top of a file."""
     lines = [f"{model.title}: exported by pydy {__version__}."]
@@ -351,6 +356,7 @@ class Format(NamedTuple):
 
     files: Callable[..., dict[Path, Any]]
     options: Mapping[str, Check] = MappingProxyType({})
+    solves: bool = False  # whether its code has a solver
 
 
 FORMATS = {
@@ -358,7 +364,8 @@ FORMATS = {
     ".fmu": Format(
         lambda model, path, **options: {path: fmu_archive(model, **options)},
         {"fmi": one_of("3.0", "2.0"), "binary": flag},
+        solves=True,
     ),
-    ".js": Format(lambda model, path: {path: javascript_module(model, _head(model))}),
+    ".js": Format(lambda model, path: {path: javascript_module(model, _head(model))}, solves=True),
     ".py": Format(_py_files, {"target": one_of(*DIALECTS)}),
 }
