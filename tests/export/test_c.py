@@ -143,9 +143,10 @@ def test_events_and_their_resets_are_there(tmp_path, compiler):
 def test_the_times_at_which_rates_switch_follow_the_constants(tmp_path):
     system = kicked()
     library = built(COMPILERS[0], system.export(tmp_path / "kicked.c").path, tmp_path)
-    p = np.array([{"t0": 7.0, "w": 0.25}[str(s)] for s in system.constants_symbols])
-    times, _ = call(library, ("kicked", "switches"), 0.0, np.zeros(2), np.zeros(1), p, 2)
-    assert sorted(times) == [7.0, 7.25]
+    values = {"t0": 7.0, "w": 0.25, "a": 2.0, "b": 3.0}
+    p = np.array([values[str(s)] for s in system.constants_symbols])
+    times, _ = call(library, ("kicked", "switches"), 0.0, np.zeros(2), np.zeros(1), p, 3)
+    assert sorted(times) == [1.5, 7.0, 7.25]
 
 
 def test_a_string_keeps_every_character(tmp_path):

@@ -90,7 +90,10 @@ static void find_switches(Model *m)
 #if NS > 0
     double times[NS];
     MODEL(switches)(0.0, m->x, m->u, m->prepared, times);
-    for (int k = 1; k < NS; k++) /* those that are NaN stay where they are */
+    for (int k = 0; k < NS; k++)
+        if (isnan(times[k]))
+            times[k] = INFINITY; /* never */
+    for (int k = 1; k < NS; k++)
         for (int i = k; i > 0 && times[i] < times[i - 1]; i--) {
             const double later = times[i - 1];
             times[i - 1] = times[i], times[i] = later;
