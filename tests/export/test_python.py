@@ -124,6 +124,8 @@ def test_jax_has_one_entry_for_each_row_too(tmp_path):
     p = {"k": np.array([1.0, 2.0]), "c": np.array([3.0, 5.0])}
     found = names["outputs"](0.0, x, p=p)
     np.testing.assert_allclose(found, [[-7.0], [-24.0]], rtol=1e-15)
+    with pytest.raises(ValueError, match=r"must be of one state, .* use jax\.vmap for many"):
+        names["rates"](0.0, x, p=p)
 
 
 def test_a_folder_that_is_not_there_is_named_with_the_remedy(tmp_path):
