@@ -3068,7 +3068,7 @@ class System:
         >>> [file.name for file in exported.files]
         ['pendulum.c', 'pendulum.h']
         """
-        from pydy.export import check_options, write
+        from pydy.export import check_options, solves, write
 
         target = file_of(path, "`path`")
         check_options(target, options)
@@ -3076,6 +3076,12 @@ class System:
         inputs = listed("inputs", inputs, "specifieds of the system", hashable=True)
         with progress_of(flag(progress, "`progress`"), " parts") as told:
             told(0, part="equations")
-            model = exported_model(self._now(events), name=title, events=events, inputs=inputs)
+            model = exported_model(
+                self._now(events),
+                name=title,
+                events=events,
+                inputs=inputs,
+                max_step=np.inf if solves(target) else None,
+            )
             told(1)
             return write(replace(model, told=told), target, **options)

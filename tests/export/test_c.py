@@ -12,7 +12,7 @@ from pydy._evaluation.exporting import exported_model
 from pydy.export import Variable, write
 from pydy.export.c import c_string
 from pydy.export.model import identifiers
-from zoo.exported_models import ball, hostile, pendulum, spring_of
+from zoo.exported_models import ball, hostile, kicked, pendulum, spring_of
 
 COMPILERS = [name for name in ("gcc", "clang") if shutil.which(name)]
 STRICT = ["-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic"]
@@ -138,6 +138,15 @@ def test_events_and_their_resets_are_there(tmp_path, compiler):
     assert call(library, ("ball", "event_rates"), 0.0, x, np.zeros(1), p, 1)[0] == -2.0
     after = call(library, ("ball", "resets"), 0.0, x, np.zeros(1), p, 2)[0]
     assert after == pytest.approx([0.0, 1.6])
+
+
+def test_the_times_at_which_rates_switch_follow_the_constants(tmp_path):
+    system = kicked()
+    library = built(COMPILERS[0], system.export(tmp_path / "kicked.c").path, tmp_path)
+    values = {"t0": 7.0, "w": 0.25, "a": 2.0, "b": 3.0}
+    p = np.array([values[str(s)] for s in system.constants_symbols])
+    times, _ = call(library, ("kicked", "switches"), 0.0, np.zeros(2), np.zeros(1), p, 3)
+    assert sorted(times) == [1.5, 7.0, 7.25]
 
 
 def test_a_string_keeps_every_character(tmp_path):

@@ -31,7 +31,15 @@ from pydy.mechanics import Definition
 from pydy.solvers import Event
 from zoo import inertial_frame
 from zoo.ball import bouncing_ball
-from zoo.exported_models import TIMES, ball, hostile, pendulum, spring_of
+from zoo.exported_models import (
+    TIMES,
+    ball,
+    hostile,
+    kicked,
+    kicked_to,
+    pendulum,
+    spring_of,
+)
 
 fmpy = optional("fmpy")
 validation = optional("fmpy.validation")
@@ -134,6 +142,20 @@ def test_without_a_tolerance_inputs_that_vary_and_jump_are_integrated(units, fmi
     # CVODE goes over the jumps with its history of smooth steps: that costs two digits in a second.
     least = 1e-4 if kind == "CoSimulation" else 2e-2
     assert found[:20] == pytest.approx(exact[:20, :2], abs=least)
+
+
+@pytest.mark.parametrize("fmi", VERSIONS)
+def test_a_pulse_between_two_steps_is_not_passed_over(tmp_path, hasty, fmi):
+    unit = str(kicked().export(tmp_path / "kicked.fmu", fmi=fmi).path)
+    for kind in KINDS:
+        for t0, w in ((5.0, 0.01), (11.3, 1e-4), (0.0, 0.1), (10.0, 1e-6)):
+            for step in (5.0, 0.1):
+                result = fmpy.simulate_fmu(
+                    unit, fmi_type=kind, stop_time=20.0, output_interval=step, output=["x", "v"],
+                    relative_tolerance=1e-9, start_values={"t0": t0, "w": w},
+                )  # fmt: skip
+                expected = kicked_to(20.0, t0, w)
+                assert [*result[-1]][1:] == pytest.approx(expected, rel=1e-6, abs=1e-7)
 
 
 @pytest.mark.parametrize("fmi", VERSIONS)

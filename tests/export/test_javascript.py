@@ -8,11 +8,13 @@ import subprocess
 import numpy as np
 import pytest
 import sympy as sm
+from sympy.physics.mechanics import dynamicsymbols
 
 from oracles import crossings, departures, projections
 from pydy._assembly.programs import block_program
 from pydy._evaluation.exporting import exported_model
 from pydy._program.operations import SHIPPED
+from pydy.errors import PyDyUserWarning
 from pydy.export.javascript import (
     LONGEST,
     PRELUDE,
@@ -23,7 +25,7 @@ from pydy.export.javascript import (
 )
 from pydy.solvers import Event
 from zoo.ball import bouncing_ball
-from zoo.exported_models import ball, hostile, pendulum
+from zoo.exported_models import ball, hostile, kicked, kicked_to, pendulum
 
 
 def test_every_function_of_an_operation_is_defined():
@@ -127,6 +129,24 @@ def test_a_motion_that_starts_on_a_surface_follows_the_table(tmp_path):
         moments, heights = [e["time"] for e in run["events"]], [row[0] for row in run["states"]]
         assert heights[0] == 0.0
         departures.check(case, moments, heights, run["status"] == "stopped")
+
+
+@by_node
+def test_a_pulse_between_two_steps_is_not_passed_over(tmp_path):
+    pulses = [(5.0, 0.01), (11.3, 1e-4), (0.0, 0.1), (20.0 - 1e-6, 1e-6)]
+    wanted = [{"times": [0.0, 20.0], "constants": {"t0": t0, "w": w}} for t0, w in pulses]
+    for (t0, w), run in zip(pulses, simulated(tmp_path, kicked(), None, wanted), strict=True):
+        assert run["states"][1] == pytest.approx(kicked_to(20.0, t0, w), rel=1e-8, abs=1e-9)
+        assert run["steps"] < 100
+
+
+def test_pulses_that_exported_code_does_not_know_are_warned_of(tmp_path):
+    system = kicked()
+    system.constants = {}
+    system.specifieds = {"F": sm.Piecewise((500, sm.sin(dynamicsymbols._t) > 0.999), (0, True))}
+    with pytest.warns(PyDyUserWarning, match=r"6 times, the closest 0\.08945 apart, .*`maxStep"):
+        system.export(tmp_path / "kicked.js")
+    system.export(tmp_path / "kicked.c")  # which has no solver
 
 
 @by_node

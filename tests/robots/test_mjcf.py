@@ -388,6 +388,20 @@ def test_what_a_file_turns_off_is_off(tmp_path, case):
     assert all("turns off" in line or "not active" in line for line in robot.left_out)
 
 
+@pytest.mark.parametrize("fraction", ["-0.4", "0.3"])
+def test_weight_is_added_only_beside_a_body_whose_weight_is_compensated(tmp_path, fraction):
+    bodies = "".join(
+        f'<body gravcomp="{compensated}"><joint type="slide"/><geom size="0.1"/></body>'
+        for compensated in ("-0.5", fraction)
+    )
+    path = written(tmp_path, f"<mujoco><worldbody>{bodies}</worldbody></mujoco>")
+    model = mujoco.MjModel.from_xml_path(str(path))
+    model.opt.disableflags |= off()
+    data = mujoco.MjData(model)
+    mujoco.mj_forward(model, data)
+    assert read(path).system().evaluate_ode()[2:] == pytest.approx(data.qacc, rel=1e-12)
+
+
 @pytest.mark.parametrize("kind", ["ball", "free"])
 def test_dry_friction_of_joints_with_several_axes(tmp_path, kind):
     rubs = 'frictionloss="0.3"'

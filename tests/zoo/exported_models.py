@@ -75,6 +75,30 @@ def spring_of(*names):
     return System(kane, initial_conditions={x: 1.0}, times=TIMES)
 
 
+def kicked():
+    """A mass of 2 kg at rest, which a force of 500 N pushes from t = t0 to t0 + w.
+
+    Constants a and b switch nothing, by a t > b, while they are zero.
+    """
+    x, v, push = me.dynamicsymbols("x v F")
+    t, t0, w, a, b = me.dynamicsymbols._t, *sm.symbols("t0 w a b")
+    N, O = me.ReferenceFrame("N"), me.Point("O")
+    O.set_vel(N, 0)
+    place = O.locatenew("P", x * N.x)
+    bodies, loads = [me.Particle("mass", place, 2)], [(place, push * N.x)]
+    system = System(Definition(N, [x], [v], bodies=bodies, loads=loads), times=[0.0, 20.0])
+    never = sm.Piecewise((1, a * t > b), (0, True))
+    pulse = sm.Piecewise((500, (t > t0) & (t < t0 + w)), (0, True))
+    system.specifieds = {push: pulse + never}
+    system.constants = {t0: 5.0, w: 0.01, a: 0.0, b: 0.0}
+    return system
+
+
+def kicked_to(t, t0, w):
+    """Its place and speed at a time after the push."""
+    return 250 * w * (t - t0 - w / 2), 250 * w
+
+
 def pulled_by_error_functions():
     """Two masses of 1 kg at x and y, with the forces erf(x) and erfc(y)."""
     x, y = me.dynamicsymbols("x y")

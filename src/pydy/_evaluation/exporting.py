@@ -20,7 +20,8 @@ from pydy._assembly import (
     stored_program,
 )
 from pydy._checks import choice, describe
-from pydy._graph import derivative_program
+from pydy._errors import warn_user
+from pydy._graph import TimeSwitches, derivative_program, lower
 from pydy._judges import warn_of_missing_derivatives
 from pydy._mechanics import find_symbols
 from pydy._motion import (
@@ -182,6 +183,49 @@ def _builders(
     return builders
 
 
+def _switch_times(
+    problem: Problem,
+    columns: tuple[int, ...],
+    span: tuple[float, float],
+    max_step: float | None,
+) -> Program | None:
+    """Return the Program of the times at which the rates switch by time alone, if there are any.
+
+    These are zeros of switches that are linear in time, which depend on constants. Warns if others
+    are closer to one another than the longest step of the exported code, None if it has no solver.
+    """
+    rates = problem.code.programs.of("rates")
+    switches = TimeSwitches.of(rates, frozenset(columns))
+    if switches is None:
+        return None
+    times, others = switches.split_by_linearity()
+    if max_step is not None and others is not None:
+        _warn_of_pulses(others, problem, span, max_step)
+    if not times:
+        return None
+    sizes = rates.signature.sizes
+    return lower(switches.graph, sizes, [("switches", (len(times),), times)])
+
+
+def _warn_of_pulses(
+    switches: TimeSwitches, problem: Problem, span: tuple[float, float], max_step: float
+) -> None:
+    """Warn of switches that are closer than the longest step."""
+    specifieds = np.zeros(len(problem.definition.specifieds))
+    zeros = switches.times(problem.p, specifieds, *span)
+    closest = float(np.diff(zeros.rows[:, 0]).min(initial=np.inf))
+    if zeros.unresolved * max_step > span[1] - span[0] or closest < max_step:
+        several = f"{zeros.unresolved or len(zeros.rows)} times"
+        several += f", the closest {closest:.4g} apart," if np.isfinite(closest) else ""
+        warn_user(
+            f"A load or rate switches by time alone {several} from t = {span[0]:.6g} to "
+            f"{span[1]:.6g}, by conditions that are not linear in time: exported code does not "
+            "know when, so that its steps may pass over a pulse. Keep them shorter than the "
+            "shortest pulse: by `maxStep` in JavaScript, by `max_step` of a live page, and by the "
+            "communication step or the importer's longest step of an FMU."
+        )
+
+
 def exported_model(
     problem: Problem,
     *,
@@ -189,9 +233,13 @@ def exported_model(
     events: Event | Iterable[Event] | None = None,
     constraints: str | None = None,
     inputs: Sequence[SymbolOrName] | None = (),
+    max_step: float | None = None,
 ) -> Model:
-    """Return the Programs, names and numbers of a Problem for exported code."""
-    from pydy.export import EventData, Model, Variable, identifiers
+    """Return the Programs, names and numbers of a Problem for exported code.
+
+    Its solver takes steps up to `max_step`; None if it has no solver.
+    """
+    from pydy.export import EventData, Model, Variable, identifiers, with_inputs
 
     warn_of_missing_derivatives(problem)
     definition, times = problem.definition, problem.settings.times
@@ -201,7 +249,12 @@ def exported_model(
     projection = mode and _projection_sizes(problem)
     checked = check_events(events, definition.places["states"])
     _check_resets(definition, checked)
+    stop = float(times[-1]) if len(times) > 1 else start + 1.0
     r = problem.inputs(problem.x, start) if columns else np.zeros(0)
+    switches = _switch_times(problem, columns, (start, stop), max_step)
+    builders = _builders(problem, columns, checked, bool(projection))
+    if switches is not None:
+        builders["switches"] = lambda: with_inputs(switches, columns)
     parts = [
         (definition.states, problem.x),
         ([definition.specifieds[k] for k in columns], r[[*columns]]),
@@ -219,7 +272,7 @@ def exported_model(
         inputs=model_inputs,
         constants=numbers,
         outputs=outputs,
-        builders=_builders(problem, columns, checked, bool(projection)),
+        builders=builders,
         events=EventData(
             tuple(event.name for event in checked),
             tuple(int(event.direction) for event in checked),
@@ -228,7 +281,8 @@ def exported_model(
             event_redirects(problem.code.assembly, checked, definition.states),
         ),
         start=start,
-        stop=float(times[-1]) if len(times) > 1 else start + 1.0,
+        stop=stop,
+        switches=0 if switches is None else switches.signature.num_outputs,
         constraints=projection or {},
         unknowns=definition.equations.constraints.residuals.columns,
     )
@@ -240,6 +294,7 @@ def live_system(
     name: str = "model",
     constraints: str | None = "auto",
     events: Event | Iterable[Event] | None = None,
+    max_step: float | None = None,
 ) -> LiveSystem:
     """Return a Problem in the format of a live page, which simulates in the browser."""
     from pydy.viz import LiveSystem
@@ -250,7 +305,12 @@ def live_system(
     if constraints == "auto":
         constraints = "project" if constrained else None
     exported = exported_model(
-        problem, name=name, events=events, constraints=constraints, inputs=None
+        problem,
+        name=name,
+        events=events,
+        constraints=constraints,
+        inputs=None,
+        max_step=np.inf if max_step is None else max_step,
     )
     formulas = dict(plan.expressions)
     for symbol in followed(definition, plan) - formulas.keys():

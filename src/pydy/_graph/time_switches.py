@@ -25,6 +25,7 @@ from pydy._graph.derivative import jacobian
 from pydy._graph.inputs import inputs_of
 from pydy._graph.intervals import bounded, bounds
 from pydy._graph.node import Graph
+from pydy._graph.rewrite import substitute
 from pydy._graph.tuning import (
     BEYOND_ENDS,
     DIVISIONS,
@@ -82,6 +83,32 @@ class TimeSwitches:
         slopes = [row.get(0, graph.zero) for row in jacobian(graph, nodes, [time])]
         inputs = [n for n in inputs_of(graph, [*nodes, *slopes]) if n != time]
         return cls(graph, tuple(nodes), tuple(slopes), tuple(inputs))
+
+    def split_by_linearity(self) -> tuple[list[int], TimeSwitches | None]:
+        """Return the times of switches that are linear in time, as nodes, and the other switches.
+
+        A time is not finite where constants let the switch not depend on time.
+        """
+        graph = self.graph
+        time = graph.input("t", 0)
+        pairs = [*zip(self.nodes, self.slopes, strict=True)]
+        linear = [
+            (node, slope)
+            for node, slope in pairs
+            if time not in inputs_of(graph, [slope])
+            and not any(
+                graph.ops[n] in _SWITCHING and time in inputs_of(graph, [n])
+                for n in graph.reachable([node])
+            )
+        ]
+        rest = [pair for pair in pairs if pair not in linear]
+        at_zero = substitute(graph, [n for n, _ in linear], {time: graph.zero})
+        times = [graph.neg(graph.div(n, s)) for n, (_, s) in zip(at_zero, linear, strict=True)]
+        if not rest:
+            return times, None
+        nodes, slopes = zip(*rest, strict=True)
+        inputs = [n for n in inputs_of(graph, [*nodes, *slopes]) if n != time]
+        return times, TimeSwitches(graph, nodes, slopes, tuple(inputs))
 
     def numbers(self, p: np.ndarray, r: np.ndarray) -> np.ndarray:
         """Return the numbers that the times depend on, of one set of constants and inputs or m."""

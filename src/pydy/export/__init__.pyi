@@ -8,4 +8,4 @@ from .model import (
     identifiers as identifiers,
     with_inputs as with_inputs,
 )
-from .writing import check_options as check_options, write as write
+from .writing import check_options as check_options, solves as solves, write as write

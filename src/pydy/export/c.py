@@ -25,6 +25,7 @@ _DESCRIPTIONS = {
     "event_rates": "the derivatives of these by time, along the motion",
     "event_bounds": "what rounding may do to the events' expressions, in units of 2^-52",
     "resets": "for each event the states after it, event by event",
+    "switches": "the times, in any order, at which rates switch whatever the states are",
 }
 
 
@@ -49,7 +50,8 @@ _KINDS = ("state", "input", "constant", "output")
 
 def functions_of(model: Model) -> tuple[str, ...]:
     """Return the names of a model's functions in C."""
-    return tuple(_DESCRIPTIONS) if model.events else ("rates", "outputs", "jacobian")
+    names = [*_DESCRIPTIONS][:-1] if model.events else ["rates", "outputs", "jacobian"]
+    return (*names, "switches") if model.switches else tuple(names)
 
 
 def c_header(model: Model, head: Sequence[str]) -> str:
@@ -63,6 +65,8 @@ def _header(model: Model, head: Sequence[str]) -> Iterator[str]:
     yield f"#ifndef PYDY_{guard}_H\n#define PYDY_{guard}_H\n\n#include <stdint.h>\n"
     yield '#ifdef __cplusplus\nextern "C" {\n#endif\n'
     sizes = {f"{kind.upper()}S": len(getattr(model, f"{kind}s")) for kind in (*_KINDS, "event")}
+    if model.switches:
+        sizes["SWITCHES"] = model.switches
     sizes["PREPARED"] = max(sum(len(model.program(f).carried) for f in functions_of(model)), 1)
     yield "enum {"
     yield ",\n".join(f"    {guard}_{quantity} = {size}" for quantity, size in sizes.items())

@@ -103,6 +103,7 @@ def _config(model: Model, fmi: str) -> Iterator[str]:
         "NY": len(model.outputs),
         "NP": len(model.constants),
         "NE": len(model.events),
+        "NS": model.switches,
     }
     arrays = method_arrays(_METHOD, len(model.states))
     sizes["NVECTORS"], sizes["NPARTS"] = len(arrays.nodes), arrays.depth

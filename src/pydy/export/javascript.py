@@ -38,9 +38,9 @@ function erf(x) {
 }
 
 function erfc(x) {
-  if (!(x > 2)) return 1 - erf(x);
+  if (!(x > 1)) return 1 - erf(x);
   let tail = x;
-  for (let k = 60; k > 0; k -= 1) tail = x + k / 2 / tail;
+  for (let k = 200; k > 0; k -= 1) tail = x + k / 2 / tail;
   return exp(-x * x) / (sqrt(Math.PI) * tail);
 }
 
@@ -202,6 +202,8 @@ def javascript_object(model: Model, extra: Sequence[str] = ()) -> str:
         names += ["events", "event_rates", "event_bounds", "resets"]
     if model.constraints:
         names.append("projection")
+    if model.switches:
+        names.append("switches")
     programs = {name: model.program(name) for name in names}
     code = "\n".join(javascript_of(program, name) for name, program in programs.items())
     buffers = "\n".join(
@@ -243,6 +245,11 @@ def javascript_object(model: Model, extra: Sequence[str] = ()) -> str:
             f"projector({literal(dict(model.constraints))}, (t, x, out) => "
             "projection(t, x, r, projection_c, out))"
             if model.constraints
+            else "null"
+        ),
+        "SYSTEM_SWITCHES": (
+            f"(out) => switches(0, [], r, switches_c, out), switchCount: {model.switches}"
+            if model.switches
             else "null"
         ),
         "EXTRAS": extras,

@@ -106,6 +106,9 @@ class Model:
         Sizes for the projection, and what follows; empty without projection.
     unknowns : sequence of int
         The places of states that residuals give.
+    switches : int
+        The number of times at which the rates switch whatever the states are, which the Program
+        'switches' computes from the constants.
     told : callable
         Called as ``told(0, part=name)`` before a part is made, and as ``told(1)`` after it.
     """
@@ -122,6 +125,7 @@ class Model:
     stop: float = 1.0
     constraints: Mapping[str, object] = field(default_factory=dict)
     unknowns: Sequence[int] = ()
+    switches: int = 0
     told: Callable[..., None] = _ignore_progress
 
     @cached_property

@@ -72,7 +72,7 @@ def _dialect(module: str) -> Dialect:
 _OF_CASADI = {
     **{"abs": "fabs({0})", "min": "fmin({0}, {1})", "max": "fmax({0}, {1})"},
     **{"and": "logic_and({0}, {1})", "or": "logic_or({0}, {1})", "not": "logic_not({0})"},
-    **{"select": "if_else({0}, {1}, {2})", "pow": "{0} ** {1}", "erfc": "1 - erf({0})"},
+    **{"select": "if_else({0}, {1}, {2})", "pow": "{0} ** {1}", "erfc": "_erfc({0})"},
 }
 _CASADI = Dialect(
     operation=lambda row: re.sub(r"\b(?=[a-z]\w*\()", "ca.", _OF_CASADI.get(row.name, row.c)),
@@ -93,7 +93,7 @@ _JAX: Template = (
     '    """{purpose}"""',
     "    t, x, r, p = _arguments(t, x, r, p)",
     "    {body}",
-    "    return _stacked([{results}], t, x, r{shape})",
+    "    return _stacked([{results}], t, x, r, p{shape})",
     "",
 )
 _FUNCTION = {
@@ -182,6 +182,8 @@ def python_source(model: Model, target: str, head: Sequence[str]) -> str:
     text = numbered(resource(f"{target}_module.py.txt"))
     if "_guarded(_constrained" not in parts["FUNCTIONS"]:
         text = re.sub(r"def _constrained\(.*?(?=def _guarded)", "", text, flags=re.DOTALL)
+    if "_erfc(" not in parts["FUNCTIONS"]:
+        text = re.sub(r"def _erfc\(.*?(?=def _guarded)", "", text, flags=re.DOTALL)
     return re.sub(r"\{\{([A-Z]+)\}\}", lambda m: parts[m[1]], text)
 
 
@@ -328,6 +330,11 @@ def check_options(path: Path, options: dict[str, object]) -> None:
     checked(FORMATS[kind].options, options)
 
 
+def solves(path: Path) -> bool:
+    """Return whether the code in a file of this name will have a solver."""
+    return FORMATS[path.suffix.lower()].solves
+
+
 def _head(model: Model) -> list[str]:
     """Return lines for the top of a file."""
     lines = [f"{model.title}: exported by pydy {__version__}."]
@@ -349,6 +356,7 @@ class Format(NamedTuple):
 
     files: Callable[..., dict[Path, Any]]
     options: Mapping[str, Check] = MappingProxyType({})
+    solves: bool = False  # whether its code has a solver
 
 
 FORMATS = {
@@ -356,7 +364,8 @@ FORMATS = {
     ".fmu": Format(
         lambda model, path, **options: {path: fmu_archive(model, **options)},
         {"fmi": one_of("3.0", "2.0"), "binary": flag},
+        solves=True,
     ),
-    ".js": Format(lambda model, path: {path: javascript_module(model, _head(model))}),
+    ".js": Format(lambda model, path: {path: javascript_module(model, _head(model))}, solves=True),
     ".py": Format(_py_files, {"target": one_of(*DIALECTS)}),
 }

@@ -185,9 +185,10 @@ class _MjcfReader:
             mass=float(model.body_mass[k]),
             centre=np.array(model.body_ipos[k]),
             inertia=rotated_inertia(np.diag(model.body_inertia[k]), rotation),
-            # Without springs and dampers, MuJoCo leaves out this passive force, too.
+            # MuJoCo leaves out this passive force without springs and dampers, and negative ones in
+            # a model that has no positive one.
             gravity_compensation=float(model.body_gravcomp[k])
-            if not (self.disabled("SPRING") and self.disabled("DAMPER"))
+            if model.ngravcomp and not (self.disabled("SPRING") and self.disabled("DAMPER"))
             else 0.0,
             visuals=list(self.visuals(k)),
             location=location,

@@ -106,7 +106,8 @@ class Live:
     rtol, atol : float, optional
         The error allowed in a step is ``atol + rtol * abs(x)``.
     max_step : float, optional
-        Largest step; limit it if an input is shorter than a step.
+        Largest step; limit it if an input is shorter than a step and not by conditions that are
+        linear in time, as ``t > t0``.
     """
 
     sliders: BySymbol[Slider | tuple[float | str | None, ...]] = field(default_factory=dict)
@@ -214,7 +215,10 @@ def live_page(
             "`animate` without `compare`."
         )
     system = model.live(
-        name=title or "model", events=settings.events, constraints=settings.constraints
+        name=title or "model",
+        events=settings.events,
+        constraints=settings.constraints,
+        max_step=settings.max_step,
     )
     return LivePage(settings, system, (reference, origin, series), animation, motion)
 

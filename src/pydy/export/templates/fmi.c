@@ -121,7 +121,7 @@ static void *made(const char *name, const char *token, void *environment, Logger
 
 static void started_at(Model *m, int tolerance_defined, double tolerance, double start)
 {
-    m->t = start;
+    m->t = m->passed = start;
     if (tolerance_defined && tolerance > 0.0)
         m->rtol = tolerance;
     changed(m);
@@ -412,9 +412,10 @@ STATUS fmi3UpdateDiscreteStates(void *instance, bool *again, bool *terminate,
     SELF;
     int moved;
     *terminate = is_end(handle_events(m, &moved));
-    *again = *nominals_changed = *next_event_defined = false;
+    *again = *nominals_changed = false;
     *states_changed = moved;
-    *next_event = 0.0;
+    *next_event = next_switch(m);
+    *next_event_defined = isfinite(*next_event);
     return ended(self);
 }
 
@@ -435,9 +436,10 @@ STATUS fmi2NewDiscreteStates(void *instance, EventInfo *info)
     SELF;
     int moved;
     info->terminate = is_end(handle_events(m, &moved));
-    info->again = info->nominals_changed = info->next_event_defined = 0;
+    info->again = info->nominals_changed = 0;
     info->states_changed = moved;
-    info->next_event = 0.0;
+    info->next_event = next_switch(m);
+    info->next_event_defined = isfinite(info->next_event);
     return ended(self);
 }
 

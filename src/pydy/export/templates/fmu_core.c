@@ -10,6 +10,9 @@
 #include "scan_events.c"
 #include "departure.h"
 
+/* Of a time: closer to a switch of the rates, rounding decides on which side it is. */
+#define UNDECIDED (16 * ROUNDING)
+
 /* Value references, in this order: time, states, derivatives, inputs, outputs, constants, event
    indicators. */
 enum {
@@ -36,6 +39,10 @@ typedef struct {
     double stages[NVECTORS * NX + 1], fresh[NX + 1], trial[NX + 1], errors[2 * NX + 1];
     double interpolant[NPARTS * NX + 1], probes[PROBES * NE + 1], probe[NX + 1];
     double resets[NE * NX + 1], derivatives[(NX + NY) * (NX + NU) + 1];
+    /* rows of the times at which rates switch whatever the states are, and the last time that Model Exchange
+       has gone on from */
+    double switches[3 * NS + 1], passed;
+    int64_t switch_count;
 } Model;
 
 typedef struct {
@@ -51,7 +58,7 @@ static void model_reset(Model *m)
     memcpy(m->x, MODEL(initial), NX * sizeof(double));
     memcpy(m->u, MODEL(inputs), NU * sizeof(double));
     memcpy(m->p, &MODEL(defaults), NP * sizeof(double));
-    m->t = START_TIME;
+    m->t = m->passed = START_TIME;
     m->rtol = TOLERANCE;
     m->starting = 1;
     m->counts[FAILURE] = STEP_UNDERFLOW;
@@ -75,6 +82,37 @@ static void changed(Model *m)
     m->counts[STARTED] = 0;
 }
 
+/* Find the times at which the rates switch whatever the states are, ascending: rows of the time, the last one
+   before it and the first one after it at which rounding does not decide on which side it is. */
+static void find_switches(Model *m)
+{
+    m->switch_count = 0;
+#if NS > 0
+    double times[NS];
+    MODEL(switches)(0.0, m->x, m->u, m->prepared, times);
+    for (int k = 0; k < NS; k++)
+        if (isnan(times[k]))
+            times[k] = INFINITY; /* never */
+    for (int k = 1; k < NS; k++)
+        for (int i = k; i > 0 && times[i] < times[i - 1]; i--) {
+            const double later = times[i - 1];
+            times[i - 1] = times[i], times[i] = later;
+        }
+    for (int k = 0; k < NS; k++) {
+        const double width = UNDECIDED * fmax(fabs(times[k]), STOP_TIME - START_TIME);
+        double *row = m->switches + 3 * m->switch_count;
+        if (!isfinite(times[k]))
+            continue;
+        if (m->switch_count > 0 && times[k] - width <= row[-1]) {
+            row[-1] = times[k] + width;
+            continue;
+        }
+        row[0] = times[k], row[1] = times[k] - width, row[2] = times[k] + width;
+        m->switch_count += 1;
+    }
+#endif
+}
+
 static void prepare(Model *m)
 {
     if (!m->prepared_fresh) {
@@ -83,6 +121,7 @@ static void prepare(Model *m)
         memcpy(&constants, m->p, NP * sizeof(double));
         MODEL(prepare)(&constants, m->prepared);
         m->prepared_fresh = 1;
+        find_switches(m);
     }
 }
 
@@ -91,13 +130,35 @@ static int rates_at(Model *m, double t, const double *x, double *out)
     return MODEL(rates)(t, x, m->u, m->prepared, out);
 }
 
+/* Return the present time, or where rounding would decide whether rates have switched, one on the side from
+   which the importer goes on, or to which it integrates. */
+static double settled_time(const Model *m)
+{
+    for (int64_t k = 0; k < m->switch_count; k++) {
+        const double *row = m->switches + 3 * k;
+        if (row[1] < m->t && m->t < row[2])
+            return m->passed > row[1] ? row[2] : row[1];
+    }
+    return m->t;
+}
+
+/* Return the time of the next switch, or infinity. */
+static double next_switch(Model *m)
+{
+    prepare(m);
+    for (int64_t k = 0; k < m->switch_count; k++)
+        if (m->switches[3 * k + 1] >= m->t)
+            return m->switches[3 * k];
+    return INFINITY;
+}
+
 /* Bring the rates up to date; not zero where the mass matrix is singular. */
 static int update_rates(Model *m)
 {
     int failed = 0;
     prepare(m);
     if (!m->rates_fresh)
-        failed = rates_at(m, m->t, m->x, m->rates);
+        failed = rates_at(m, settled_time(m), m->x, m->rates);
     m->rates_fresh = !failed;
     return failed;
 }
@@ -488,6 +549,8 @@ static int64_t handle_events(Model *m, int *moved)
     int64_t sides[NE + 1];
     *moved = 0;
     const int starting = m->starting;
+    m->passed = m->t; /* the importer goes on from here, beyond a switch */
+    m->rates_fresh = 0;
     evaluate_events(m);
     for (int k = 0; k < NE && !starting; k++) {
         const double side = (double)m->sides[k];

@@ -31,19 +31,38 @@ static int32_t call_event_rates(const double *t, const double *x, const double *
 #define AT(array) {(void *)(array), sizeof(array) / 8, 1}
 #define VECTORS(array, number) {(double *)(array), (number) * NX, 1}
 
+/* Copy the rows of switches; those that rounding does not keep apart from the ends of a step are there, as the
+   step would be as short as rounding otherwise. Return how many there are. */
+static int64_t switch_rows(Model *m, double goal, double *rows)
+{
+    prepare(m);
+    memcpy(rows, m->switches, 3 * (size_t)m->switch_count * sizeof(double));
+    for (double *row = rows; row < rows + 3 * m->switch_count; row += 3) {
+        if (row[1] < goal && goal < row[2])
+            row[0] = goal;
+        if (row[1] < m->t && m->t < row[2]) {
+            row[0] = m->t;
+            m->counts[STARTED] = 0; /* the rates at the end of the last step are those before the switch */
+        }
+    }
+    return m->switch_count;
+}
+
 /* Integrate up to the time `goal`: FINISHED, or the outcome with which the motion ends or fails before. */
 static int64_t integrate(Model *m, double goal)
 {
     static Kernel *const rates_at = call_rates, *const events_at = call_events;
     static Kernel *const event_rates_at = call_event_rates;
-    int64_t problem[] = {ADDRESS(&rates_at), NX, NX, NX, NX, 0, 0}, held[ACTIVE + 1] = {0};
+    int64_t problem[] = {ADDRESS(&rates_at), NX, NX, NX, NX, [SWITCHED] = 0, 0}, held[ACTIVE + 1] = {0};
+    double jumps[3 * NS + 1], until[] = {INFINITY};
     int64_t watched[RESETTER + 1] = {ADDRESS(&events_at), NE, ADDRESS(scan_events), [RATER] = ADDRESS(&event_rates_at)};
     int64_t kinds[NE + 1] = {0}, kept[ROOM + 1] = {0};
     double clock[1], step[1], theta[1], zero[NX + 1] = {0}, row[NX + 1], tolerance[NX + 1];
     const Run run = {
         .method = {AT(METHOD_SHAPE), AT(METHOD_ROWS), AT(METHOD_OFFSETS), AT(METHOD_WEIGHTS),
             AT(METHOD_NODES), AT(METHOD_CONTROL)},
-        .problem = {.words = AT(problem), .clock = AT(clock), .r = AT(m->u), .c = AT(m->prepared)},
+        .problem = {.words = AT(problem), .clock = AT(clock), .r = AT(m->u), .c = AT(m->prepared),
+            .jumps = {jumps, switch_rows(m, goal, jumps), 3}, .until = AT(until)},
         .memory = {.x = VECTORS(m->x, 1), .new = VECTORS(m->fresh, 1), .trial = VECTORS(m->trial, 1),
             .step = AT(step), .theta = AT(theta), .zero = VECTORS(zero, 1),
             .errors = VECTORS(m->errors, 2), .stages = VECTORS(m->stages, NVECTORS),
@@ -62,7 +81,7 @@ static int64_t integrate(Model *m, double goal)
         m->t = fmax(m->t, goal);
     for (int i = 0; i < NX; i++)
         tolerance[i] = m->rtol;
-    prepare(m);
+    problem[SWITCHED] = run.problem.jumps.size > 0;
     m->probes[PROBES * NE] = UNKNOWN;
     if (m->starting) {
         int moved = 0;

@@ -5,6 +5,27 @@
 // on its way to its side of zero, where it has not been since it was handled.
 const BACK = 2, DEPARTS = -1;
 const NOWHERE = 2; // a θ beyond the step
+const UNDECIDED = 16 * ROUNDING; // of a time: closer to a switch, rounding decides on which side it is
+
+/**
+ * Return rows of the times at which rates switch by time alone, ascending, as `find_switches` of
+ * fmu_core.c: each with the last time before it and the first one after it that are clearly so.
+ */
+function switchRows(system, start, end) {
+  const rows = [];
+  if (!system.switches) return rows;
+  const found = new Float64Array(system.switchCount);
+  system.switches(found);
+  for (const time of found.sort()) {
+    const width = UNDECIDED * Math.max(Math.abs(time), Math.abs(start), Math.abs(end)), last = rows[rows.length - 1];
+    if (!Number.isFinite(time)) continue;
+    if (last && time - width <= last[2]) last[2] = time + width;
+    else rows.push([time, time - width, time + width]);
+  }
+  // Else the first or last step may be as short as rounding.
+  for (const row of rows) for (const one of [start, end]) if (row[1] < one && one < row[2]) row[0] = one;
+  return rows;
+}
 
 /** y = x + h · (row · stages). */
 function combine(y, x, h, row, stages) {
@@ -43,8 +64,8 @@ function check(times, options) {
 
 class Integration {
   /**
-   * `system` has `n`, `rates(t, x, out)`, which returns whether it failed, `events` or null and
-   * `projection` or null. `onRow(k, t, x)` is called for each of the times.
+   * `system` has `n`, `rates(t, x, out)`, which returns whether it failed, `events` or null,
+   * `projection` or null, and `switches(out)` or null. `onRow(k, t, x)` is called for each of the times.
    */
   constructor(system, method, times, x0, onRow, options = {}) {
     const { n } = system;
@@ -64,6 +85,8 @@ class Integration {
     this.errors = method.errors.map(vector);
     this.interpolant = Array.from({ length: 3 + method.interpolant.length }, vector);
     this.t = times[0];
+    this.switches = switchRows(system, times[0], times[times.length - 1]);
+    this.until = Infinity; // rates are evaluated at this time at the latest
     this.h = 0;
     this.next = 0;
     this.steps = this.rejected = this.evaluations = 0;
@@ -83,7 +106,20 @@ class Integration {
 
   rates(t, x, out) {
     this.evaluations += 1;
-    return this.system.rates(t, x, out);
+    return this.system.rates(this.settled(t), x, out);
+  }
+
+  /** Return the first switch after t, or none. */
+  switchAfter(t) {
+    return this.switches.find((row) => row[0] > t);
+  }
+
+  /** Return a time on the side of a switch on which the step is, where rounding does not decide. */
+  settled(time) {
+    if (this.switches.length === 0) return time;
+    const t = Math.min(time, this.until), next = this.switchAfter(t);
+    for (const row of this.switches) if (row[0] <= t && t < row[2]) return row[2];
+    return next && t > next[1] ? next[1] : t;
   }
 
   norm(a, b) {
@@ -178,10 +214,11 @@ class Integration {
     }
     if (this.steps + this.rejected >= this.maxSteps) return this.fail("too many steps");
     const t = this.t;
-    const wanted = Math.min(this.h, this.maxStep), end = t + wanted;
-    const after = end > last - SLIVER * wanted ? last : end;
+    const wanted = Math.min(this.h, this.maxStep), end = t + wanted, jump = this.switchAfter(t);
+    this.until = jump ? jump[1] : Infinity;
+    const goal = jump ? Math.min(last, jump[0]) : last, after = end > goal - SLIVER * wanted ? goal : end;
     const size = after - t; // what the rounded times are apart: far from zero a clock would drift
-    if (!(t + RESOLVED * size > t || after === last)) return this.fail("the steps became too small");
+    if (!(t + RESOLVED * size > t || after === goal)) return this.fail("the steps became too small");
     this.size = size;
     let failed = false;
     for (let stage = 1; stage < count && !failed; stage++) {
@@ -229,6 +266,7 @@ class Integration {
         }
         x.set(fresh);
         this.t = end;
+        this.until = Infinity;
         this.h = 0;
         this.started = false;
         if (this.onStep) this.onStep(end, x);
@@ -243,11 +281,16 @@ class Integration {
     let factor = control[SAFETY] * error ** -control[ALPHA];
     if (control[BETA] !== 0) factor *= this.lastError ** control[BETA];
     this.h = size * Math.min(this.growth, Math.max(control[SHRINK], factor));
+    if (after === goal) this.h = Math.max(this.h, wanted); // it was shortened to end there
     this.lastError = Math.max(error, FIRST_ERROR);
     this.growth = control[GROW];
     this.t = after;
     x.set(fresh);
     stages[0].set(stages[count]);
+    if (jump && after === jump[0]) {
+      this.until = Infinity;
+      if (this.rates(after, x, stages[0])) return this.fail("the mass matrix is singular");
+    }
     if (this.onStep) this.onStep(after, x);
   }
 

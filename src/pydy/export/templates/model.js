@@ -64,6 +64,7 @@ const self = {
       rates: (t, x, out) => rates(t, x, r, rates_c, out),
       events: /*SYSTEM_EVENTS*/,
       projection: /*SYSTEM_PROJECTION*/,
+      switches: /*SYSTEM_SWITCHES*/,
     };
     return new Integration(system, method, times, x0, onRow, options);
   },
