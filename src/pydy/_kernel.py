@@ -77,8 +77,8 @@ class Kernel:
 
     def at(self, x: np.ndarray, t: float, r: np.ndarray, p: np.ndarray, out: np.ndarray) -> int:
         """Evaluate one state; return 1 where a linear solve is singular, else 0."""
-        status = self.call(x, t, r, p, out)
-        if status < 0:
+        status = self.gate(x, t, r, p, out)
+        if status < 0:  # or not compiled yet
             values, failed = self.evaluate(np.array([t]), x[None], r[None], p)
             out[:], status = values[0], int(failed[0])
         return status
@@ -210,5 +210,6 @@ class KernelCall:
         """
         signature = kernel.program.signature
         x, r = x[: signature.num_states], self.inputs(x, t)[: signature.num_specifieds]
-        out: np.ndarray = kernel.evaluate(np.array([t]), x[None], r[None], self.p)[0][0]
+        out = np.empty(signature.num_outputs)
+        kernel.at(x, t, r, self.p, out)
         return out

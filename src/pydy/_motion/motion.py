@@ -50,7 +50,8 @@ class Segment:
     end: float
     modes: tuple[str, ...]  # of each contact; empty without contacts
     problem: Problem  # with the equations of these modes
-    columns: Sequence[int] = ()  # the outputs of the problem that are outputs of the full motion
+    # The outputs of the problem that are outputs of the full motion.
+    columns: np.ndarray | Sequence[int] = ()
     # The dense output: it returns the states at any time of the segment, followed by columns of
     # sensitivities, if any; `dense.starts` are the times at which steps begin. None if it was not
     # requested, or if there were more steps than are stored.
@@ -155,7 +156,7 @@ def labelled(
     if augmented is not None:
         counts = {parameter.symbol: parameter.count for parameter in augmented.parameters}
         sensitivities = counts, motion.sensitivities
-    statistics = {k: v for k, v in motion.statistics.items() if k != "sides"}
+    statistics = {k: v for k, v in motion.statistics.items() if k not in ("clear", "sides")}
     trajectory = TrajectoryModel(motion.problem).label(
         motion.times,
         motion.states,

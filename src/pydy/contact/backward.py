@@ -124,7 +124,7 @@ class RecordedTransitions(Transitions):
         self.together |= bool(self.gap_opens(i, slopes, p, share).any())
         return []
 
-    def results(self, reached: np.ndarray) -> None:
+    def results(self, count: int) -> None:
         """Return no sensitivities of the motion."""
 
     def labels(self, values: np.ndarray | None, segments: Sequence[Segment]) -> dict[str, object]:

@@ -483,7 +483,7 @@ class ContactMotions:
         try:
             motion = run.motion()
             end = motion.segments[-1].end
-            code = Outcome.FINISHED if run.reached.all() else Outcome.TERMINATED
+            code = Outcome.FINISHED if run.reached == len(times) else Outcome.TERMINATED
         except StartError:
             code, end = Outcome.START_OFF_CONSTRAINTS, float(times[0])
         except ContactError as error:

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from pydy._problem import Problem
     from pydy._sympy_types import AnySymbol
     from pydy.contact.conditions import Contact
-    from pydy.contact.modes import CompiledModes
+    from pydy.contact.modes import CompiledModes, Mode
     from pydy.contact.rows import ContactRows, RowValues
 
 
@@ -67,7 +67,7 @@ class ContactSimulation(Protocol):
 def missed_transitions(
     run: ContactSimulation,
     motion: Motion,
-    output_index: Mapping[AnySymbol, int],
+    mode: Mode,
     at_rest: Collection[int],
     end: float,
     last: np.ndarray | None,
@@ -75,30 +75,32 @@ def missed_transitions(
 ) -> tuple[list[tuple[str, int]], np.ndarray | None]:
     """Refuse a motion in one mode if its integration missed a transition.
 
-    `output_index` has the columns of the mode's outputs. Return the kinds and contacts of
-    inequalities that are violated from the start on: with forces at their limits, or contacts that
-    are `at_rest`, several modes are possible at the start, and the motion shows which are wrong.
-    Transitions `reported` by events at the end, where a load may jump, are not missed there. Return
-    also the outputs at all times of the simulation if the motion is the whole of it.
+    Return the kinds and contacts of inequalities that are violated from the start on: with forces
+    at their limits, or contacts that are `at_rest`, several modes are possible at the start, and
+    the motion shows which are wrong. Transitions `reported` by events at the end, where a load may
+    jump, are not missed there. Return also the outputs at all times of the simulation if the motion
+    is the whole of it.
     """
-    symbols = run.compiled.symbols
+    symbols, output_index = run.compiled.symbols, mode.output_index
     # Rows: the times of the motion, the end, and times at which the solver's steps begin.
-    count = int(motion.times.searchsorted(end))
-    whole = last is None and count + 1 == len(motion.times) == len(run.times)
-    last = motion.states[-1] if last is None else last[: run.n]  # before the event's reset
-    instants = [motion.times[:count], np.array([end])]
-    rows = [motion.states[:count], last[None]]
+    count, sample_times, states = len(motion.times) - 1, motion.times, motion.states
+    # A projection may move the first state, which the simulation gives as it was.
+    whole = last is None and len(motion.times) == len(run.times)
+    whole = whole and not motion.integrator.constraints_enforced
+    if last is not None:  # before the event's reset
+        count = int(motion.times.searchsorted(end))
+        sample_times = np.append(motion.times[:count], end)
+        states = np.concatenate([motion.states[:count], last[None, : run.n]])
     dense = motion.segments[0].dense
-    if dense is not None:  # only as many steps as are stored
+    if dense is not None and not _stays_open(motion, mode):  # only as many steps as are stored
         starts = dense.starts
         if len(starts) > CHECKED:  # select evenly spaced steps
-            sample_times = starts[evenly(len(starts), CHECKED)]
+            further = starts[evenly(len(starts), CHECKED)]
         else:
-            sample_times = np.linspace(motion.times[0], end, CHECKED)
-        sample_times = sample_times[: sample_times.searchsorted(end)]
-        instants.append(sample_times)
-        rows.append(dense(sample_times)[:, : run.n])
-    sample_times, states = np.concatenate(instants), np.concatenate(rows)
+            further = np.linspace(motion.times[0], end, CHECKED)
+        further = further[: further.searchsorted(end)]
+        sample_times = np.concatenate([sample_times, further])
+        states = np.concatenate([states, dense(further)[:, : run.n]])
     table = motion.problem.at(sample_times, states).outputs()
     broken = []
     for i, c in enumerate(run.contacts):
@@ -139,9 +141,20 @@ def missed_transitions(
                 f"The {words} of {c.name!r} became {table[worst, column]:.3g} "
                 + remedy,
             )  # fmt: skip
-    # A projection may have moved the first state, which the simulation gives as it was.
-    whole = whole and bool((motion.states[0, : run.n] == run.states[0]).all())
     return broken, table[: count + 1] if whole else None
+
+
+def _stays_open(motion: Motion, mode: Mode) -> bool:
+    """Return whether all contacts are open, and no step came near the closing of a gap.
+
+    The solver's bounds on the gaps, which have been positive, then hold between the times too.
+    """
+    kinds, sides = mode.events[1], motion.statistics.get("sides", ())
+    return (
+        motion.statistics.get("clear", False)
+        and all(m == OPEN for m in mode.modes)
+        and all(kind != "closes" or side > 0 for (kind, _), side in zip(kinds, sides, strict=False))
+    )
 
 
 def _check_cuts(run: ContactSimulation, i: int, times: np.ndarray, states: np.ndarray) -> None:

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
 import sympy as sm
 
 from pydy import _forks
@@ -111,7 +112,7 @@ class Mode:
         self.output_index: dict[
             AnySymbol, int
         ] = {}  # columns of the outputs of its Model, by symbol
-        self.columns: list[int] = []  # the columns of the outputs of the trajectory
+        self.columns = np.zeros(0, dtype=int)  # of the outputs of the trajectory
         base, formed = rows.equations, rows.formed
         g = self.graph = formed.graph.copy()
         self._solve(g, enforced, active)
@@ -445,7 +446,7 @@ class CompiledModes:
             "specifieds_symbols": self.definition.specifieds,
         }
 
-    def _columns(self, mode: Mode, definition: Definition) -> list[int]:
+    def _columns(self, mode: Mode, definition: Definition) -> np.ndarray:
         """Return the columns of the trajectory's outputs in a mode; store all indices."""
         mode.output_index = {symbol: k for k, symbol in enumerate(definition.outputs.symbols)}
         base = self.definition
@@ -456,4 +457,5 @@ class CompiledModes:
             [*residuals[:h], *residuals[len(residuals) - n :]] if n else residuals[:h]
         )
         users = base.outputs.defined_by_user
-        return [mode.output_index[s] for s in (*users, *self.contact_outputs, *residual_outputs)]
+        symbols = *users, *self.contact_outputs, *residual_outputs
+        return np.array([mode.output_index[symbol] for symbol in symbols], dtype=int)

@@ -70,20 +70,23 @@ class RowValues:
     delassus: np.ndarray  # (rows, rows), the Delassus matrix J W = J M⁻¹ Jᵀ
     response: np.ndarray  # (speeds, rows), W
 
-    def __init__(self, rows: ContactRows, *point: np.ndarray) -> None:
-        self._rows, self._point = rows, point
+    def __init__(
+        self, rows: ContactRows, x: np.ndarray, t: float, r: np.ndarray, p: np.ndarray
+    ) -> None:
+        self._rows, self._point = rows, (x, t, r, p)
 
     def __getattr__(self, name: str) -> Any:  # an attribute that has not been evaluated
         if name not in RowValues.__annotations__:
             raise AttributeError(name)
         late = name in _LATE
         kernel = self._rows.late if late else self._rows.early
+        signature = kernel.program.signature
         out: np.ndarray | None = vars(self).get(late_or_early := "_late" if late else "_early")
         if out is None:
-            out, failed = kernel.evaluate(*self._point)
-            out[failed] = np.nan
-            vars(self)[late_or_early] = out = out[0]
-        block = kernel.program.signature.block(name)
+            vars(self)[late_or_early] = out = np.empty(signature.num_outputs)
+            if kernel.at(*self._point, out):
+                out[:] = np.nan
+        block = signature.block(name)
         values: np.ndarray = out[block.start : block.stop].reshape(block.shape)
         vars(self)[name] = values
         return values
@@ -387,7 +390,7 @@ class ContactRows:
         """Return the rows at a state, with values of the definition's specifieds and constants."""
         r_order, p_order = self._orders  # missing inputs are zero, or hidden
         r, p = np.concatenate((r, _ZERO))[r_order], np.concatenate((p, _ZERO))[p_order]
-        return RowValues(self, np.array([t]), x[None].copy(), r[None], p)
+        return RowValues(self, x.copy(), t, r, p)
 
     @cached_property
     def _checks_constants(self) -> bool:

@@ -102,7 +102,7 @@ class ContactRun:
         self.bias: np.ndarray | None = None
         self.redundant = False
         self.peak_speed: dict[int, float] = {}  # largest sliding speed since the slide began
-        self.reached = np.ones(len(times), dtype=bool)
+        self.reached = len(times)  # number of times up to the end of the motion
         self.totals = {"steps": 0, "rejected": 0, "evaluations": 0}
         self._latest: tuple[tuple[float, bytes], RowValues] | None = None  # at the last state
         self.impacted: set[int] = set()  # contacts that have closed
@@ -615,9 +615,7 @@ class ContactRun:
         acting = [r for r in at_end if r.index < count and kinds[r.index][0] != "nears"]
         reported = {kinds[r.index] for r in acting}
         last = at_end[-1].before if stopped else None
-        broken, outputs = missed_transitions(
-            self, motion, mode.output_index, state.at_rest, end, last, reported
-        )
+        broken, outputs = missed_transitions(self, motion, mode, state.at_rest, end, last, reported)
         if broken:
             return False, broken
         if self.transitions is not None:
@@ -657,7 +655,7 @@ class ContactRun:
                 state.at_rest.discard(i)
         state.t, state.x = end, after
         if any(r.index >= count and self.user_events[r.index - count].terminal for r in at_end):
-            self.reached = self.times <= end
+            self.reached = int(following)
             return True, []
         return False, [kinds[r.index] for r in acting]
 
@@ -770,13 +768,12 @@ class ContactRun:
         """Return the motion up to its failure; None if it did not begin."""
         if not self.segments:
             return None
-        self.reached = self.times <= self.segments[-1].end
+        self.reached = int(self.times.searchsorted(self.segments[-1].end, "right"))
         return self.result(refusal="The simulation failed where this motion ends.")
 
     def result(self, refusal: str = "") -> Motion:
         """Return the segments as one motion; a `refusal` says why it cannot be continued."""
-        rows: Any = slice(None) if self.reached.all() else self.reached
-        times, states = self.times[rows].copy(), self.states[rows]
+        times, states = self.times[: self.reached].copy(), self.states[: self.reached]
         last, transitions = self.segments[-1].end, self.transitions
         names, columns = [c.name for c in self.contacts], self.compiled.trajectory_columns
         if transitions is not None and not refusal:

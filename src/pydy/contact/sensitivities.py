@@ -363,9 +363,9 @@ class HybridSensitivities(Transitions):
         wrong = self.gap_opens(i, slopes, p, share)
         return [name for name, off in zip(column_names(self._counts), wrong, strict=True) if off]
 
-    def results(self, reached: np.ndarray) -> np.ndarray:
-        """Return the sensitivities at the times that were reached, shape (m, n, k)."""
-        columns: np.ndarray = self._columns[reached]
+    def results(self, count: int) -> np.ndarray:
+        """Return the sensitivities at the times that were reached, shape (count, n, k)."""
+        columns: np.ndarray = self._columns[:count]
         return columns
 
     def labels(self, values: np.ndarray | None, segments: Sequence[Segment]) -> dict[str, object]:

@@ -22,7 +22,6 @@ class _Segmented:
 
     def __init__(self, segments: Sequence[Segment]) -> None:
         self.segments = list(segments)
-        self._starts = np.array([segment.start for segment in segments])
 
     def _by_segment(
         self, times: np.ndarray, value: Callable[[Segment, np.ndarray | slice], np.ndarray]
@@ -30,7 +29,8 @@ class _Segmented:
         """Evaluate each time by its segment; at a transition, by the later one."""
         if len(self.segments) == 1:
             return value(self.segments[0], slice(None))
-        segment_index = np.searchsorted(self._starts[1:], times, side="right")
+        starts = [segment.start for segment in self.segments[1:]]
+        segment_index = np.searchsorted(starts, times, side="right")
         masks = [
             (k, segment_index == k)
             for k in (np.unique(segment_index) if len(segment_index) else (0,))

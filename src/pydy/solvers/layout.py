@@ -73,6 +73,8 @@ FACTORED, PREDICTING, SIZE_BEFORE, ERROR_BEFORE = range(4)
 
 # What `advance` returns before the end; at the end it returns an `Outcome`.
 PAUSED, EVENT, LOG_FULL, CALLBACK, STEPS_FULL, UNRESOLVED = range(-1, -7, -1)
+# What it returns at a start or end where events may happen, which Python then looks at.
+START_EVENTS, END_EVENTS = -7, -8
 # What `act_on_event` returns, besides EVENTS_ACCUMULATE: nothing was done, or everything.
 LEFT, ACTED = range(2)
 # The number of items before the constants of a Kernel that is reflected in time. The first two are

@@ -195,15 +195,15 @@ INLINE int64_t step_on(const Run *run, double *flat)
 }
 
 /* The same through events after which nothing else is to be done. Where `fresh` is 1 an integration
-   begins here. */
+   begins here; Python looks at its events at both ends only where they may happen there. */
 ENTRY int64_t advance(const Run *run, double *flat, int64_t fresh)
 {
     int64_t code;
-    if (fresh == 1)
-        begin(run, flat);
+    if (fresh == 1 && !begin(run, flat))
+        return START_EVENTS;
     do
         code = step_on(run, flat);
     while (goes_on(run, &code));
     release_inputs(&run->problem);
-    return code;
+    return code == FINISHED && fresh == 1 && !ends_clear(run) ? END_EVENTS : code;
 }

@@ -5,6 +5,7 @@
 #define RUN_H
 
 #include "step.h"
+#include "departure.h"
 
 #ifndef ENTRY
 #define ENTRY /* what is called from outside */
@@ -31,8 +32,60 @@ INLINE int64_t hold(const Run *run, double t, double *x, const double *from)
     return ((Project *)run->constraints.words.at[PROJECT])(run, t, x, from);
 }
 
-/* Begin an integration, from the state in the first row of the results. */
-INLINE void begin(const Run *run, const double *flat)
+/* Evaluate the events at the state, into the first row of watch.values, and their rates with bounds on
+   roundings, into watch.told. Not where inputs or the kernel may jump at its time: Python looks there. */
+INLINE int know_events(const Run *run)
+{
+    const Watch *w = &run->watch;
+    const Problem *p = &run->problem;
+    if (p->tables.size > 0 || p->words.at[SWITCHED])
+        return 0;
+    p->clock.at[0] = run->progress.state.at[TIME];
+    call_kernel(w->words.at[WATCHER], p->clock.at, run->memory.x.at, p->r.at, w->c.at, w->values.at);
+    call_kernel(w->words.at[RATER], p->clock.at, run->memory.x.at, p->r.at, w->rates_c.at, w->told.at);
+    return 1;
+}
+
+/* Give the events their sides at the start; tell whether none is on its surface there, but for what turns,
+   which does not happen at a start. */
+INLINE int starts_clear(const Run *run)
+{
+    const Watch *w = &run->watch;
+    const int64_t number = w->words.at[EVENTS];
+    if (number == 0)
+        return 1;
+    if (!know_events(run))
+        return 0;
+    for (int64_t k = 0; k < number; k++) {
+        const double value = w->values.at[k], told = value == 0.0 ? w->told.at[k] : value;
+        if (is_on_surface(value, w->told.at[number + k]) && !(w->kinds.at[k] & TURNS))
+            return 0;
+        w->sides.at[k] = is_finite(told) ? sign_of(told) : 0, w->fired.at[k] = 0;
+    }
+    return 1;
+}
+
+/* Tell whether no event happens at the end, or would be a rounding of the time later. */
+INLINE int ends_clear(const Run *run)
+{
+    const Watch *w = &run->watch;
+    const int64_t number = w->words.at[EVENTS];
+    const double near = 2.0 * ROUNDING * absolute(run->progress.state.at[TIME]);
+    if (number == 0)
+        return 1;
+    if (!know_events(run))
+        return 0;
+    for (int64_t k = 0; k < number; k++) {
+        const double distance = w->values.at[k] * (double)w->sides.at[k];
+        if (!(distance > near * absolute(w->told.at[k]) || distance < 0.0)) /* what turns may have done so */
+            return 0;
+    }
+    return 1;
+}
+
+/* Begin an integration, from the state in the first row of the results; tell whether it goes on without
+   Python. */
+INLINE int begin(const Run *run, const double *flat)
 {
     for (int64_t i = 0; i < run->problem.words.at[STATES]; i++)
         run->memory.x.at[i] = flat[i];
@@ -42,6 +95,7 @@ INLINE void begin(const Run *run, const double *flat)
         run->progress.counts.at[i] = run->beginning.counts.at[i];
     if (run->watch.words.at[EVENTS] > 0)
         run->watch.values.at[PROBES * run->watch.words.at[EVENTS]] = UNKNOWN;
+    return run->progress.counts.at[BUDGET] > 0 && starts_clear(run);
 }
 
 /* -- the steps that are kept ------------------------------------------------------------------- */

@@ -1,4 +1,4 @@
-; sources 3b99022341efdefaf504d14e99571481c2f1eb3b27aa61f6f247752c3ed177a9
+; sources 51c7377c8618f8c66e939ebd3b7e1aeededb4f8dfb65071de0080673bf3d3767
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {

@@ -1,4 +1,4 @@
-; sources 783ed61051ae737cb559f156f6685c122ed35752f1aa72e0d592075b838b82a0
+; sources 100339f192be1f726e6a6f60c8fa8b7f0752e701e0bf1f1c428c6422a011c8eb
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
@@ -8,7 +8,7 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   %7 = alloca [1 x double], align 8
   %8 = alloca [1 x double], align 8
   %9 = icmp eq i64 %2, 1
-  br i1 %9, label %10, label %74
+  br i1 %9, label %10, label %183
 
 10:                                               ; preds = %3
   %11 = getelementptr inbounds i8, ptr %0, i64 144
@@ -20,2693 +20,2951 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
 
 16:                                               ; preds = %10
   %17 = getelementptr inbounds i8, ptr %0, i64 360
-  br label %25
+  br label %26
 
-18:                                               ; preds = %25, %10
-  %19 = getelementptr inbounds i8, ptr %0, i64 632
-  %20 = load i64, ptr %19, align 8
-  %21 = icmp sgt i64 %20, 0
-  br i1 %21, label %22, label %36
+18:                                               ; preds = %26, %10
+  %19 = getelementptr inbounds i8, ptr %0, i64 144
+  %20 = getelementptr inbounds i8, ptr %0, i64 632
+  %21 = load i64, ptr %20, align 8
+  %22 = icmp sgt i64 %21, 0
+  br i1 %22, label %23, label %37
 
-22:                                               ; preds = %18
-  %23 = getelementptr inbounds i8, ptr %0, i64 624
-  %24 = getelementptr inbounds i8, ptr %0, i64 1272
-  br label %43
+23:                                               ; preds = %18
+  %24 = getelementptr inbounds i8, ptr %0, i64 624
+  %25 = getelementptr inbounds i8, ptr %0, i64 1272
+  br label %44
 
-25:                                               ; preds = %16, %25
-  %26 = phi i64 [ 0, %16 ], [ %31, %25 ]
-  %27 = getelementptr inbounds double, ptr %1, i64 %26
-  %28 = load double, ptr %27, align 8
-  %29 = load ptr, ptr %17, align 8
-  %30 = getelementptr inbounds double, ptr %29, i64 %26
-  store double %28, ptr %30, align 8
-  %31 = add nuw nsw i64 %26, 1
-  %32 = load ptr, ptr %11, align 8
-  %33 = getelementptr inbounds i8, ptr %32, i64 8
-  %34 = load i64, ptr %33, align 8
-  %35 = icmp slt i64 %31, %34
-  br i1 %35, label %25, label %18, !llvm.loop !3
+26:                                               ; preds = %16, %26
+  %27 = phi i64 [ 0, %16 ], [ %32, %26 ]
+  %28 = getelementptr inbounds double, ptr %1, i64 %27
+  %29 = load double, ptr %28, align 8
+  %30 = load ptr, ptr %17, align 8
+  %31 = getelementptr inbounds double, ptr %30, i64 %27
+  store double %29, ptr %31, align 8
+  %32 = add nuw nsw i64 %27, 1
+  %33 = load ptr, ptr %11, align 8
+  %34 = getelementptr inbounds i8, ptr %33, i64 8
+  %35 = load i64, ptr %34, align 8
+  %36 = icmp slt i64 %32, %35
+  br i1 %36, label %26, label %18, !llvm.loop !3
 
-36:                                               ; preds = %43, %18
-  %37 = getelementptr inbounds i8, ptr %0, i64 656
-  %38 = load i64, ptr %37, align 8
-  %39 = icmp sgt i64 %38, 0
-  br i1 %39, label %40, label %53
+37:                                               ; preds = %44, %18
+  %38 = getelementptr inbounds i8, ptr %0, i64 648
+  %39 = getelementptr inbounds i8, ptr %0, i64 656
+  %40 = load i64, ptr %39, align 8
+  %41 = icmp sgt i64 %40, 0
+  br i1 %41, label %42, label %54
 
-40:                                               ; preds = %36
-  %41 = getelementptr inbounds i8, ptr %0, i64 648
-  %42 = getelementptr inbounds i8, ptr %0, i64 1296
-  br label %59
+42:                                               ; preds = %37
+  %43 = getelementptr inbounds i8, ptr %0, i64 1296
+  br label %60
 
-43:                                               ; preds = %22, %43
-  %44 = phi i64 [ 0, %22 ], [ %50, %43 ]
-  %45 = load ptr, ptr %24, align 8
-  %46 = getelementptr inbounds double, ptr %45, i64 %44
-  %47 = load double, ptr %46, align 8
-  %48 = load ptr, ptr %23, align 8
-  %49 = getelementptr inbounds double, ptr %48, i64 %44
-  store double %47, ptr %49, align 8
-  %50 = add nuw nsw i64 %44, 1
-  %51 = load i64, ptr %19, align 8
-  %52 = icmp slt i64 %50, %51
-  br i1 %52, label %43, label %36, !llvm.loop !6
+44:                                               ; preds = %23, %44
+  %45 = phi i64 [ 0, %23 ], [ %51, %44 ]
+  %46 = load ptr, ptr %25, align 8
+  %47 = getelementptr inbounds double, ptr %46, i64 %45
+  %48 = load double, ptr %47, align 8
+  %49 = load ptr, ptr %24, align 8
+  %50 = getelementptr inbounds double, ptr %49, i64 %45
+  store double %48, ptr %50, align 8
+  %51 = add nuw nsw i64 %45, 1
+  %52 = load i64, ptr %20, align 8
+  %53 = icmp slt i64 %51, %52
+  br i1 %53, label %44, label %37, !llvm.loop !6
 
-53:                                               ; preds = %59, %36
-  %54 = getelementptr inbounds i8, ptr %0, i64 768
-  %55 = load ptr, ptr %54, align 8
-  %56 = getelementptr inbounds i8, ptr %55, i64 8
-  %57 = load i64, ptr %56, align 8
-  %58 = icmp sgt i64 %57, 0
-  br i1 %58, label %69, label %74
+54:                                               ; preds = %60, %37
+  %55 = getelementptr inbounds i8, ptr %0, i64 768
+  %56 = load ptr, ptr %55, align 8
+  %57 = getelementptr inbounds i8, ptr %56, i64 8
+  %58 = load i64, ptr %57, align 8
+  %59 = icmp sgt i64 %58, 0
+  br i1 %59, label %70, label %75
 
-59:                                               ; preds = %40, %59
-  %60 = phi i64 [ 0, %40 ], [ %66, %59 ]
-  %61 = load ptr, ptr %42, align 8
-  %62 = getelementptr inbounds i64, ptr %61, i64 %60
-  %63 = load i64, ptr %62, align 8
-  %64 = load ptr, ptr %41, align 8
-  %65 = getelementptr inbounds i64, ptr %64, i64 %60
-  store i64 %63, ptr %65, align 8
-  %66 = add nuw nsw i64 %60, 1
-  %67 = load i64, ptr %37, align 8
-  %68 = icmp slt i64 %66, %67
-  br i1 %68, label %59, label %53, !llvm.loop !7
+60:                                               ; preds = %42, %60
+  %61 = phi i64 [ 0, %42 ], [ %67, %60 ]
+  %62 = load ptr, ptr %43, align 8
+  %63 = getelementptr inbounds i64, ptr %62, i64 %61
+  %64 = load i64, ptr %63, align 8
+  %65 = load ptr, ptr %38, align 8
+  %66 = getelementptr inbounds i64, ptr %65, i64 %61
+  store i64 %64, ptr %66, align 8
+  %67 = add nuw nsw i64 %61, 1
+  %68 = load i64, ptr %39, align 8
+  %69 = icmp slt i64 %67, %68
+  br i1 %69, label %60, label %54, !llvm.loop !7
 
-69:                                               ; preds = %53
-  %70 = getelementptr inbounds i8, ptr %0, i64 984
-  %71 = load ptr, ptr %70, align 8
-  %72 = mul i64 %57, 88
-  %73 = getelementptr inbounds i8, ptr %71, i64 %72
-  store double 0x7FF8000000000000, ptr %73, align 8
-  br label %74
+70:                                               ; preds = %54
+  %71 = getelementptr inbounds i8, ptr %0, i64 984
+  %72 = load ptr, ptr %71, align 8
+  %73 = mul i64 %58, 88
+  %74 = getelementptr inbounds i8, ptr %72, i64 %73
+  store double 0x7FF8000000000000, ptr %74, align 8
+  br label %75
 
-74:                                               ; preds = %69, %53, %3
-  %75 = getelementptr inbounds i8, ptr %0, i64 144
-  %76 = getelementptr inbounds i8, ptr %0, i64 360
-  %77 = getelementptr inbounds i8, ptr %0, i64 624
-  %78 = getelementptr inbounds i8, ptr %0, i64 384
-  %79 = getelementptr inbounds i8, ptr %0, i64 648
-  %80 = getelementptr inbounds i8, ptr %0, i64 672
-  %81 = getelementptr inbounds i8, ptr %0, i64 120
-  %82 = getelementptr inbounds i8, ptr %0, i64 368
-  %83 = getelementptr inbounds i8, ptr %0, i64 696
-  %84 = getelementptr inbounds i8, ptr %0, i64 768
-  %85 = getelementptr inbounds i8, ptr %0, i64 680
-  %86 = getelementptr inbounds i8, ptr %0, i64 528
-  %87 = getelementptr inbounds i8, ptr %0, i64 320
-  %88 = getelementptr inbounds i8, ptr %0, i64 312
-  %89 = getelementptr inbounds i8, ptr %0, i64 336
-  %90 = getelementptr inbounds i8, ptr %0, i64 168
-  %91 = getelementptr inbounds i8, ptr %0, i64 248
-  %92 = getelementptr inbounds i8, ptr %0, i64 192
-  %93 = getelementptr inbounds i8, ptr %0, i64 216
-  %94 = getelementptr inbounds i8, ptr %0, i64 528
-  %95 = getelementptr inbounds i8, ptr %0, i64 408
-  %96 = getelementptr inbounds i8, ptr %0, i64 408
-  %97 = getelementptr inbounds i8, ptr %0, i64 368
-  %98 = getelementptr inbounds i8, ptr %0, i64 1320
-  %99 = getelementptr inbounds i8, ptr %0, i64 320
-  %100 = getelementptr inbounds i8, ptr %0, i64 312
-  %101 = getelementptr inbounds i8, ptr %0, i64 336
-  %102 = getelementptr inbounds i8, ptr %0, i64 432
-  %103 = getelementptr inbounds i8, ptr %0, i64 408
-  %104 = getelementptr inbounds i8, ptr %0, i64 24
-  %105 = getelementptr inbounds i8, ptr %0, i64 528
-  %106 = getelementptr inbounds i8, ptr %0, i64 48
-  %107 = getelementptr inbounds i8, ptr %0, i64 72
-  %108 = getelementptr inbounds i8, ptr %0, i64 368
-  %109 = getelementptr inbounds i8, ptr %0, i64 96
-  %110 = getelementptr inbounds i8, ptr %0, i64 168
-  %111 = getelementptr inbounds i8, ptr %0, i64 248
-  %112 = getelementptr inbounds i8, ptr %0, i64 192
-  %113 = getelementptr inbounds i8, ptr %0, i64 216
-  %114 = getelementptr inbounds i8, ptr %0, i64 384
-  %115 = getelementptr inbounds i8, ptr %0, i64 24
-  %116 = getelementptr inbounds i8, ptr %0, i64 528
-  %117 = getelementptr inbounds i8, ptr %0, i64 48
-  %118 = getelementptr inbounds i8, ptr %0, i64 72
-  %119 = getelementptr inbounds i8, ptr %0, i64 168
-  %120 = getelementptr inbounds i8, ptr %0, i64 248
-  %121 = getelementptr inbounds i8, ptr %0, i64 192
-  %122 = getelementptr inbounds i8, ptr %0, i64 216
-  %123 = getelementptr inbounds i8, ptr %0, i64 504
-  %124 = getelementptr inbounds i8, ptr %0, i64 368
-  %125 = getelementptr inbounds i8, ptr %0, i64 480
-  %126 = getelementptr inbounds i8, ptr %0, i64 24
-  %127 = getelementptr inbounds i8, ptr %0, i64 528
-  %128 = getelementptr inbounds i8, ptr %0, i64 48
-  %129 = getelementptr inbounds i8, ptr %0, i64 72
-  %130 = getelementptr inbounds i8, ptr %0, i64 384
-  %131 = getelementptr inbounds i8, ptr %0, i64 600
-  %132 = getelementptr inbounds i8, ptr %0, i64 576
-  %133 = getelementptr inbounds i8, ptr %0, i64 384
-  %134 = getelementptr inbounds i8, ptr %0, i64 600
-  %135 = getelementptr inbounds i8, ptr %0, i64 576
-  %136 = getelementptr inbounds i8, ptr %0, i64 600
-  %137 = getelementptr inbounds i8, ptr %0, i64 576
-  %138 = getelementptr inbounds i8, ptr %0, i64 168
-  %139 = getelementptr inbounds i8, ptr %0, i64 248
-  %140 = getelementptr inbounds i8, ptr %0, i64 192
-  %141 = getelementptr inbounds i8, ptr %0, i64 216
-  %142 = getelementptr inbounds i8, ptr %0, i64 1344
-  %143 = getelementptr inbounds i8, ptr %0, i64 1360
-  %144 = getelementptr inbounds i8, ptr %0, i64 888
-  %145 = getelementptr inbounds i8, ptr %0, i64 168
-  %146 = getelementptr inbounds i8, ptr %0, i64 984
-  %147 = getelementptr inbounds i8, ptr %0, i64 912
-  %148 = getelementptr inbounds i8, ptr %0, i64 864
-  %149 = getelementptr inbounds i8, ptr %0, i64 936
-  %150 = getelementptr inbounds i8, ptr %0, i64 368
-  %151 = getelementptr inbounds i8, ptr %0, i64 528
-  %152 = getelementptr inbounds i8, ptr %0, i64 552
-  %153 = getelementptr inbounds i8, ptr %0, i64 408
-  %154 = getelementptr inbounds i8, ptr %0, i64 24
-  %155 = getelementptr inbounds i8, ptr %0, i64 48
-  %156 = getelementptr inbounds i8, ptr %0, i64 72
-  %157 = getelementptr inbounds i8, ptr %0, i64 96
-  %158 = getelementptr inbounds i8, ptr %0, i64 168
-  %159 = getelementptr inbounds i8, ptr %0, i64 248
-  %160 = getelementptr inbounds i8, ptr %0, i64 192
-  %161 = getelementptr inbounds i8, ptr %0, i64 216
-  %162 = getelementptr inbounds i8, ptr %0, i64 384
-  %163 = getelementptr inbounds i8, ptr %0, i64 480
-  %164 = getelementptr inbounds i8, ptr %0, i64 24
-  %165 = getelementptr inbounds i8, ptr %0, i64 48
-  %166 = getelementptr inbounds i8, ptr %0, i64 72
-  %167 = getelementptr inbounds i8, ptr %0, i64 456
-  %168 = getelementptr inbounds i8, ptr %0, i64 408
-  %169 = getelementptr inbounds i8, ptr %0, i64 456
-  %170 = getelementptr inbounds i8, ptr %0, i64 248
-  %171 = getelementptr inbounds i8, ptr %0, i64 336
-  %172 = getelementptr inbounds i8, ptr %0, i64 168
-  %173 = getelementptr inbounds i8, ptr %0, i64 248
-  %174 = getelementptr inbounds i8, ptr %0, i64 192
-  %175 = getelementptr inbounds i8, ptr %0, i64 216
-  %176 = getelementptr inbounds i8, ptr %0, i64 248
-  %177 = getelementptr inbounds i8, ptr %0, i64 768
-  br label %178
+75:                                               ; preds = %70, %54
+  %76 = load ptr, ptr %38, align 8
+  %77 = getelementptr inbounds i8, ptr %76, i64 56
+  %78 = load i64, ptr %77, align 8
+  %79 = icmp sgt i64 %78, 0
+  br i1 %79, label %80, label %2253
 
-178:                                              ; preds = %2041, %74
-  %179 = load ptr, ptr %77, align 8
-  %180 = load ptr, ptr %78, align 8
-  %181 = load ptr, ptr %79, align 8
-  %182 = getelementptr inbounds i8, ptr %181, i64 56
-  %183 = load i64, ptr %182, align 8
-  %184 = icmp eq i64 %183, 0
-  br i1 %184, label %2026, label %185
+80:                                               ; preds = %75
+  %81 = load ptr, ptr %55, align 8
+  %82 = getelementptr inbounds i8, ptr %81, i64 8
+  %83 = load i64, ptr %82, align 8
+  %84 = icmp eq i64 %83, 0
+  br i1 %84, label %183, label %85
 
-185:                                              ; preds = %178
-  %186 = load ptr, ptr %80, align 8
-  %187 = load ptr, ptr %81, align 8
-  %188 = load ptr, ptr %0, align 8
-  %189 = load i64, ptr %82, align 8
-  %190 = load ptr, ptr %83, align 8
-  %191 = load i64, ptr %190, align 8
-  %192 = icmp ne i64 %191, 1
-  %193 = getelementptr inbounds i8, ptr %188, i64 8
-  %194 = load i64, ptr %193, align 8
-  %195 = icmp slt i64 %194, 1
-  %196 = getelementptr inbounds i8, ptr %188, i64 32
-  %197 = load i64, ptr %196, align 8
-  %198 = icmp eq i64 %197, 1
-  %199 = load ptr, ptr %84, align 8
-  %200 = getelementptr inbounds i8, ptr %199, i64 8
-  %201 = load i64, ptr %200, align 8
-  %202 = icmp sgt i64 %201, 0
-  %203 = load i64, ptr %85, align 8
-  %204 = getelementptr double, ptr %186, i64 %203
-  %205 = getelementptr i8, ptr %204, i64 -8
-  %206 = load double, ptr %205, align 8
-  %207 = load double, ptr %186, align 8
-  %208 = fsub double %206, %207
-  %209 = fmul double %208, 0x3D70000000000000
-  %210 = load ptr, ptr %86, align 8
-  %211 = load i64, ptr %188, align 8
-  %212 = mul nsw i64 %211, %189
-  %213 = getelementptr inbounds double, ptr %210, i64 %212
-  %214 = load double, ptr %179, align 8
-  %215 = getelementptr inbounds i8, ptr %179, i64 8
-  %216 = load double, ptr %215, align 8
-  %217 = load i64, ptr %181, align 8
-  %218 = icmp eq i64 %217, 0
-  br i1 %218, label %219, label %479
+85:                                               ; preds = %80
+  %86 = getelementptr inbounds i8, ptr %0, i64 248
+  %87 = load i64, ptr %86, align 8
+  %88 = icmp sgt i64 %87, 0
+  br i1 %88, label %2253, label %89
 
-219:                                              ; preds = %185
-  %220 = load i64, ptr %87, align 8
-  %221 = icmp eq i64 %220, 0
-  br i1 %221, label %251, label %222
+89:                                               ; preds = %85
+  %90 = load ptr, ptr %19, align 8
+  %91 = getelementptr inbounds i8, ptr %90, i64 40
+  %92 = load i64, ptr %91, align 8
+  %93 = icmp eq i64 %92, 0
+  br i1 %93, label %94, label %2253
 
-222:                                              ; preds = %219
-  %223 = icmp sgt i64 %220, 0
-  br i1 %223, label %224, label %239
+94:                                               ; preds = %89
+  %95 = getelementptr inbounds i8, ptr %0, i64 624
+  %96 = load ptr, ptr %95, align 8
+  %97 = load double, ptr %96, align 8
+  %98 = getelementptr inbounds i8, ptr %0, i64 168
+  %99 = load ptr, ptr %98, align 8
+  store double %97, ptr %99, align 8
+  %100 = load ptr, ptr %55, align 8
+  %101 = load i64, ptr %100, align 8
+  %102 = load ptr, ptr %98, align 8
+  %103 = getelementptr inbounds i8, ptr %0, i64 360
+  %104 = load ptr, ptr %103, align 8
+  %105 = getelementptr inbounds i8, ptr %0, i64 192
+  %106 = load ptr, ptr %105, align 8
+  %107 = getelementptr inbounds i8, ptr %0, i64 792
+  %108 = load ptr, ptr %107, align 8
+  %109 = getelementptr inbounds i8, ptr %0, i64 984
+  %110 = load ptr, ptr %109, align 8
+  %111 = inttoptr i64 %101 to ptr
+  %112 = load ptr, ptr %111, align 8
+  %113 = tail call i32 %112(ptr noundef %102, ptr noundef %104, ptr noundef %106, ptr noundef %108, ptr noundef %110) #10
+  %114 = load ptr, ptr %55, align 8
+  %115 = getelementptr inbounds i8, ptr %114, i64 56
+  %116 = load i64, ptr %115, align 8
+  %117 = load ptr, ptr %98, align 8
+  %118 = load ptr, ptr %103, align 8
+  %119 = load ptr, ptr %105, align 8
+  %120 = getelementptr inbounds i8, ptr %0, i64 1152
+  %121 = load ptr, ptr %120, align 8
+  %122 = getelementptr inbounds i8, ptr %0, i64 1200
+  %123 = load ptr, ptr %122, align 8
+  %124 = inttoptr i64 %116 to ptr
+  %125 = load ptr, ptr %124, align 8
+  %126 = tail call i32 %125(ptr noundef %117, ptr noundef %118, ptr noundef %119, ptr noundef %121, ptr noundef %123) #10
+  %127 = getelementptr inbounds i8, ptr %0, i64 864
+  %128 = icmp slt i64 %83, 1
+  br i1 %128, label %181, label %129
 
-224:                                              ; preds = %222
-  %225 = load ptr, ptr %88, align 8
-  br label %226
+129:                                              ; preds = %94
+  %130 = getelementptr inbounds i8, ptr %0, i64 984
+  %131 = getelementptr inbounds i8, ptr %0, i64 1200
+  %132 = getelementptr inbounds i8, ptr %0, i64 1200
+  %133 = getelementptr inbounds i8, ptr %0, i64 936
+  %134 = getelementptr inbounds i8, ptr %0, i64 960
+  br label %135
 
-226:                                              ; preds = %224, %226
-  %227 = phi i64 [ 0, %224 ], [ %237, %226 ]
-  %228 = phi i64 [ %220, %224 ], [ %236, %226 ]
-  %229 = add nuw nsw i64 %227, %228
-  %230 = lshr i64 %229, 1
-  %231 = mul i64 %230, 24
-  %232 = getelementptr inbounds i8, ptr %225, i64 %231
-  %233 = load double, ptr %232, align 8
-  %234 = fcmp ogt double %233, %214
-  %235 = add nuw nsw i64 %230, 1
-  %236 = select i1 %234, i64 %230, i64 %228
-  %237 = select i1 %234, i64 %227, i64 %235
-  %238 = icmp slt i64 %237, %236
-  br i1 %238, label %226, label %239, !llvm.loop !8
+135:                                              ; preds = %129, %166
+  %136 = phi i1 [ %128, %129 ], [ %179, %166 ]
+  %137 = phi i64 [ 0, %129 ], [ %178, %166 ]
+  %138 = load ptr, ptr %130, align 8
+  %139 = getelementptr inbounds double, ptr %138, i64 %137
+  %140 = load double, ptr %139, align 8
+  %141 = fcmp oeq double %140, 0.000000e+00
+  br i1 %141, label %142, label %146
 
-239:                                              ; preds = %226, %222
-  %240 = phi i64 [ 0, %222 ], [ %237, %226 ]
-  %241 = icmp slt i64 %240, %220
-  br i1 %241, label %242, label %248
+142:                                              ; preds = %135
+  %143 = load ptr, ptr %131, align 8
+  %144 = getelementptr inbounds double, ptr %143, i64 %137
+  %145 = load double, ptr %144, align 8
+  br label %146
 
-242:                                              ; preds = %239
-  %243 = load ptr, ptr %88, align 8
-  %244 = mul i64 %240, 24
-  %245 = getelementptr inbounds i8, ptr %243, i64 %244
-  %246 = getelementptr inbounds i8, ptr %245, i64 8
-  %247 = load double, ptr %246, align 8
-  br label %248
+146:                                              ; preds = %142, %135
+  %147 = phi double [ %145, %142 ], [ %140, %135 ]
+  br i1 %141, label %157, label %148
 
-248:                                              ; preds = %242, %239
-  %249 = phi double [ %247, %242 ], [ 0x7FF0000000000000, %239 ]
-  %250 = load ptr, ptr %89, align 8
-  store double %249, ptr %250, align 8
-  br label %251
+148:                                              ; preds = %146
+  %149 = load ptr, ptr %132, align 8
+  %150 = getelementptr double, ptr %149, i64 %83
+  %151 = getelementptr double, ptr %150, i64 %137
+  %152 = load double, ptr %151, align 8
+  %153 = tail call double @llvm.fabs.f64(double %140)
+  %154 = fmul double %152, 0x3CE0000000000000
+  %155 = fcmp ole double %153, %154
+  %156 = zext i1 %155 to i32
+  br label %157
 
-251:                                              ; preds = %248, %219
-  %252 = getelementptr inbounds i8, ptr %181, i64 24
-  %253 = load i64, ptr %252, align 8
-  %254 = add nsw i64 %253, 1
-  store i64 %254, ptr %252, align 8
-  %255 = load ptr, ptr %76, align 8
-  %256 = load ptr, ptr %86, align 8
-  %257 = load ptr, ptr %90, align 8
-  store double %214, ptr %257, align 8
-  %258 = load ptr, ptr %75, align 8
-  %259 = getelementptr inbounds i8, ptr %258, i64 40
-  %260 = load i64, ptr %259, align 8
-  %261 = icmp eq i64 %260, 0
-  br i1 %261, label %263, label %262
+157:                                              ; preds = %146, %148
+  %158 = phi i32 [ 1, %146 ], [ %156, %148 ]
+  %159 = icmp eq i32 %158, 0
+  br i1 %159, label %166, label %160
 
-262:                                              ; preds = %251
-  tail call fastcc void @settle(ptr noundef nonnull %75) #10
-  br label %263
+160:                                              ; preds = %157
+  %161 = load ptr, ptr %127, align 8
+  %162 = getelementptr inbounds i64, ptr %161, i64 %137
+  %163 = load i64, ptr %162, align 8
+  %164 = and i64 %163, 2
+  %165 = icmp eq i64 %164, 0
+  br i1 %165, label %181, label %166
 
-263:                                              ; preds = %262, %251
-  %264 = load i64, ptr %91, align 8
-  %265 = icmp sgt i64 %264, 0
-  br i1 %265, label %266, label %267
+166:                                              ; preds = %160, %157
+  %167 = tail call double @llvm.fabs.f64(double %147)
+  %168 = fcmp ueq double %167, 0x7FF0000000000000
+  %169 = fcmp ogt double %147, 0.000000e+00
+  %170 = fcmp olt double %147, 0.000000e+00
+  %171 = sext i1 %170 to i64
+  %172 = select i1 %169, i64 1, i64 %171
+  %173 = select i1 %168, i64 0, i64 %172
+  %174 = load ptr, ptr %133, align 8
+  %175 = getelementptr inbounds i64, ptr %174, i64 %137
+  store i64 %173, ptr %175, align 8
+  %176 = load ptr, ptr %134, align 8
+  %177 = getelementptr inbounds i64, ptr %176, i64 %137
+  store i64 0, ptr %177, align 8
+  %178 = add nuw nsw i64 %137, 1
+  %179 = icmp sge i64 %178, %83
+  %180 = icmp eq i64 %178, %83
+  br i1 %180, label %181, label %135, !llvm.loop !8
 
-266:                                              ; preds = %263
-  tail call fastcc void @sample(ptr noundef nonnull %75) #10
-  br label %267
+181:                                              ; preds = %160, %166, %94
+  %182 = phi i1 [ %128, %94 ], [ %179, %166 ], [ %136, %160 ]
+  br i1 %182, label %183, label %2253
 
-267:                                              ; preds = %263, %266
-  %268 = load ptr, ptr %75, align 8
-  %269 = load i64, ptr %268, align 8
-  %270 = load ptr, ptr %90, align 8
-  %271 = load ptr, ptr %92, align 8
-  %272 = load ptr, ptr %93, align 8
-  %273 = inttoptr i64 %269 to ptr
-  %274 = load ptr, ptr %273, align 8
-  %275 = tail call i32 %274(ptr noundef %270, ptr noundef %255, ptr noundef %271, ptr noundef %272, ptr noundef %256) #11
-  %276 = icmp eq i32 %275, 0
-  br i1 %276, label %281, label %277
+183:                                              ; preds = %80, %181, %3
+  %184 = getelementptr inbounds i8, ptr %0, i64 144
+  %185 = getelementptr inbounds i8, ptr %0, i64 360
+  %186 = getelementptr inbounds i8, ptr %0, i64 624
+  %187 = getelementptr inbounds i8, ptr %0, i64 384
+  %188 = getelementptr inbounds i8, ptr %0, i64 648
+  %189 = getelementptr inbounds i8, ptr %0, i64 672
+  %190 = getelementptr inbounds i8, ptr %0, i64 120
+  %191 = getelementptr inbounds i8, ptr %0, i64 368
+  %192 = getelementptr inbounds i8, ptr %0, i64 696
+  %193 = getelementptr inbounds i8, ptr %0, i64 768
+  %194 = getelementptr inbounds i8, ptr %0, i64 680
+  %195 = getelementptr inbounds i8, ptr %0, i64 528
+  %196 = getelementptr inbounds i8, ptr %0, i64 320
+  %197 = getelementptr inbounds i8, ptr %0, i64 312
+  %198 = getelementptr inbounds i8, ptr %0, i64 336
+  %199 = getelementptr inbounds i8, ptr %0, i64 168
+  %200 = getelementptr inbounds i8, ptr %0, i64 248
+  %201 = getelementptr inbounds i8, ptr %0, i64 192
+  %202 = getelementptr inbounds i8, ptr %0, i64 216
+  %203 = getelementptr inbounds i8, ptr %0, i64 528
+  %204 = getelementptr inbounds i8, ptr %0, i64 408
+  %205 = getelementptr inbounds i8, ptr %0, i64 408
+  %206 = getelementptr inbounds i8, ptr %0, i64 368
+  %207 = getelementptr inbounds i8, ptr %0, i64 1320
+  %208 = getelementptr inbounds i8, ptr %0, i64 320
+  %209 = getelementptr inbounds i8, ptr %0, i64 312
+  %210 = getelementptr inbounds i8, ptr %0, i64 336
+  %211 = getelementptr inbounds i8, ptr %0, i64 432
+  %212 = getelementptr inbounds i8, ptr %0, i64 408
+  %213 = getelementptr inbounds i8, ptr %0, i64 24
+  %214 = getelementptr inbounds i8, ptr %0, i64 528
+  %215 = getelementptr inbounds i8, ptr %0, i64 48
+  %216 = getelementptr inbounds i8, ptr %0, i64 72
+  %217 = getelementptr inbounds i8, ptr %0, i64 368
+  %218 = getelementptr inbounds i8, ptr %0, i64 96
+  %219 = getelementptr inbounds i8, ptr %0, i64 168
+  %220 = getelementptr inbounds i8, ptr %0, i64 248
+  %221 = getelementptr inbounds i8, ptr %0, i64 192
+  %222 = getelementptr inbounds i8, ptr %0, i64 216
+  %223 = getelementptr inbounds i8, ptr %0, i64 384
+  %224 = getelementptr inbounds i8, ptr %0, i64 24
+  %225 = getelementptr inbounds i8, ptr %0, i64 528
+  %226 = getelementptr inbounds i8, ptr %0, i64 48
+  %227 = getelementptr inbounds i8, ptr %0, i64 72
+  %228 = getelementptr inbounds i8, ptr %0, i64 168
+  %229 = getelementptr inbounds i8, ptr %0, i64 248
+  %230 = getelementptr inbounds i8, ptr %0, i64 192
+  %231 = getelementptr inbounds i8, ptr %0, i64 216
+  %232 = getelementptr inbounds i8, ptr %0, i64 504
+  %233 = getelementptr inbounds i8, ptr %0, i64 368
+  %234 = getelementptr inbounds i8, ptr %0, i64 480
+  %235 = getelementptr inbounds i8, ptr %0, i64 24
+  %236 = getelementptr inbounds i8, ptr %0, i64 528
+  %237 = getelementptr inbounds i8, ptr %0, i64 48
+  %238 = getelementptr inbounds i8, ptr %0, i64 72
+  %239 = getelementptr inbounds i8, ptr %0, i64 384
+  %240 = getelementptr inbounds i8, ptr %0, i64 600
+  %241 = getelementptr inbounds i8, ptr %0, i64 576
+  %242 = getelementptr inbounds i8, ptr %0, i64 384
+  %243 = getelementptr inbounds i8, ptr %0, i64 600
+  %244 = getelementptr inbounds i8, ptr %0, i64 576
+  %245 = getelementptr inbounds i8, ptr %0, i64 600
+  %246 = getelementptr inbounds i8, ptr %0, i64 576
+  %247 = getelementptr inbounds i8, ptr %0, i64 168
+  %248 = getelementptr inbounds i8, ptr %0, i64 248
+  %249 = getelementptr inbounds i8, ptr %0, i64 192
+  %250 = getelementptr inbounds i8, ptr %0, i64 216
+  %251 = getelementptr inbounds i8, ptr %0, i64 1344
+  %252 = getelementptr inbounds i8, ptr %0, i64 1360
+  %253 = getelementptr inbounds i8, ptr %0, i64 888
+  %254 = getelementptr inbounds i8, ptr %0, i64 168
+  %255 = getelementptr inbounds i8, ptr %0, i64 984
+  %256 = getelementptr inbounds i8, ptr %0, i64 912
+  %257 = getelementptr inbounds i8, ptr %0, i64 864
+  %258 = getelementptr inbounds i8, ptr %0, i64 936
+  %259 = getelementptr inbounds i8, ptr %0, i64 368
+  %260 = getelementptr inbounds i8, ptr %0, i64 528
+  %261 = getelementptr inbounds i8, ptr %0, i64 552
+  %262 = getelementptr inbounds i8, ptr %0, i64 408
+  %263 = getelementptr inbounds i8, ptr %0, i64 24
+  %264 = getelementptr inbounds i8, ptr %0, i64 48
+  %265 = getelementptr inbounds i8, ptr %0, i64 72
+  %266 = getelementptr inbounds i8, ptr %0, i64 96
+  %267 = getelementptr inbounds i8, ptr %0, i64 168
+  %268 = getelementptr inbounds i8, ptr %0, i64 248
+  %269 = getelementptr inbounds i8, ptr %0, i64 192
+  %270 = getelementptr inbounds i8, ptr %0, i64 216
+  %271 = getelementptr inbounds i8, ptr %0, i64 384
+  %272 = getelementptr inbounds i8, ptr %0, i64 480
+  %273 = getelementptr inbounds i8, ptr %0, i64 24
+  %274 = getelementptr inbounds i8, ptr %0, i64 48
+  %275 = getelementptr inbounds i8, ptr %0, i64 72
+  %276 = getelementptr inbounds i8, ptr %0, i64 456
+  %277 = getelementptr inbounds i8, ptr %0, i64 408
+  %278 = getelementptr inbounds i8, ptr %0, i64 456
+  %279 = getelementptr inbounds i8, ptr %0, i64 248
+  %280 = getelementptr inbounds i8, ptr %0, i64 336
+  %281 = getelementptr inbounds i8, ptr %0, i64 168
+  %282 = getelementptr inbounds i8, ptr %0, i64 248
+  %283 = getelementptr inbounds i8, ptr %0, i64 192
+  %284 = getelementptr inbounds i8, ptr %0, i64 216
+  %285 = getelementptr inbounds i8, ptr %0, i64 248
+  %286 = getelementptr inbounds i8, ptr %0, i64 768
+  br label %287
 
-277:                                              ; preds = %267
-  %278 = getelementptr inbounds i8, ptr %181, i64 72
-  store i64 3, ptr %278, align 8
-  %279 = icmp slt i32 %275, 0
-  %280 = select i1 %279, i64 -4, i64 2
-  br label %2026
+287:                                              ; preds = %2150, %183
+  %288 = load ptr, ptr %186, align 8
+  %289 = load ptr, ptr %187, align 8
+  %290 = load ptr, ptr %188, align 8
+  %291 = getelementptr inbounds i8, ptr %290, i64 56
+  %292 = load i64, ptr %291, align 8
+  %293 = icmp eq i64 %292, 0
+  br i1 %293, label %2135, label %294
 
-281:                                              ; preds = %267
-  store i64 1, ptr %181, align 8
-  %282 = getelementptr inbounds i8, ptr %179, i64 24
-  store double 1.000000e-04, ptr %282, align 8
-  %283 = getelementptr inbounds i8, ptr %187, i64 40
-  %284 = load double, ptr %283, align 8
-  %285 = getelementptr inbounds i8, ptr %179, i64 40
-  store double %284, ptr %285, align 8
-  %286 = load ptr, ptr %76, align 8
-  %287 = load ptr, ptr %75, align 8
-  %288 = getelementptr inbounds i8, ptr %287, i64 8
-  %289 = load i64, ptr %288, align 8
-  %290 = load i64, ptr %85, align 8
-  %291 = load ptr, ptr %80, align 8
-  %292 = load ptr, ptr %79, align 8
-  %293 = getelementptr inbounds i8, ptr %292, i64 48
-  %294 = load i64, ptr %293, align 8
-  %295 = icmp slt i64 %294, %290
-  br i1 %295, label %296, label %319
-
-296:                                              ; preds = %281
-  %297 = icmp sgt i64 %289, 0
-  br label %298
-
-298:                                              ; preds = %296, %309
-  %299 = phi i64 [ %294, %296 ], [ %310, %309 ]
-  %300 = getelementptr inbounds double, ptr %291, i64 %299
-  %301 = load double, ptr %300, align 8
-  %302 = load ptr, ptr %77, align 8
-  %303 = load double, ptr %302, align 8
-  %304 = fcmp ugt double %301, %303
-  br i1 %304, label %319, label %305
-
-305:                                              ; preds = %298
-  br i1 %297, label %306, label %309
-
-306:                                              ; preds = %305
-  %307 = mul nsw i64 %299, %289
-  %308 = getelementptr double, ptr %1, i64 %307
-  br label %312
-
-309:                                              ; preds = %312, %305
-  %310 = add i64 %299, 1
-  %311 = icmp eq i64 %310, %290
-  br i1 %311, label %319, label %298, !llvm.loop !9
-
-312:                                              ; preds = %306, %312
-  %313 = phi i64 [ 0, %306 ], [ %317, %312 ]
-  %314 = getelementptr inbounds double, ptr %286, i64 %313
+294:                                              ; preds = %287
+  %295 = load ptr, ptr %189, align 8
+  %296 = load ptr, ptr %190, align 8
+  %297 = load ptr, ptr %0, align 8
+  %298 = load i64, ptr %191, align 8
+  %299 = load ptr, ptr %192, align 8
+  %300 = load i64, ptr %299, align 8
+  %301 = icmp ne i64 %300, 1
+  %302 = getelementptr inbounds i8, ptr %297, i64 8
+  %303 = load i64, ptr %302, align 8
+  %304 = icmp slt i64 %303, 1
+  %305 = getelementptr inbounds i8, ptr %297, i64 32
+  %306 = load i64, ptr %305, align 8
+  %307 = icmp eq i64 %306, 1
+  %308 = load ptr, ptr %193, align 8
+  %309 = getelementptr inbounds i8, ptr %308, i64 8
+  %310 = load i64, ptr %309, align 8
+  %311 = icmp sgt i64 %310, 0
+  %312 = load i64, ptr %194, align 8
+  %313 = getelementptr double, ptr %295, i64 %312
+  %314 = getelementptr i8, ptr %313, i64 -8
   %315 = load double, ptr %314, align 8
-  %316 = getelementptr double, ptr %308, i64 %313
-  store double %315, ptr %316, align 8
-  %317 = add nuw nsw i64 %313, 1
-  %318 = icmp eq i64 %317, %289
-  br i1 %318, label %309, label %312, !llvm.loop !10
+  %316 = load double, ptr %295, align 8
+  %317 = fsub double %315, %316
+  %318 = fmul double %317, 0x3D70000000000000
+  %319 = load ptr, ptr %195, align 8
+  %320 = load i64, ptr %297, align 8
+  %321 = mul nsw i64 %320, %298
+  %322 = getelementptr inbounds double, ptr %319, i64 %321
+  %323 = load double, ptr %288, align 8
+  %324 = getelementptr inbounds i8, ptr %288, i64 8
+  %325 = load double, ptr %324, align 8
+  %326 = load i64, ptr %290, align 8
+  %327 = icmp eq i64 %326, 0
+  br i1 %327, label %328, label %588
 
-319:                                              ; preds = %298, %309, %281
-  %320 = phi i64 [ %294, %281 ], [ %299, %298 ], [ %290, %309 ]
-  %321 = load ptr, ptr %79, align 8
-  %322 = getelementptr inbounds i8, ptr %321, i64 48
-  store i64 %320, ptr %322, align 8
-  %323 = icmp eq i64 %320, %290
-  br i1 %323, label %2026, label %324
+328:                                              ; preds = %294
+  %329 = load i64, ptr %196, align 8
+  %330 = icmp eq i64 %329, 0
+  br i1 %330, label %360, label %331
 
-324:                                              ; preds = %319
-  %325 = fcmp oeq double %216, 0.000000e+00
-  br i1 %325, label %326, label %479
+331:                                              ; preds = %328
+  %332 = icmp sgt i64 %329, 0
+  br i1 %332, label %333, label %348
 
-326:                                              ; preds = %324
-  %327 = load ptr, ptr %75, align 8
-  %328 = getelementptr inbounds i8, ptr %327, i64 24
-  %329 = load i64, ptr %328, align 8
-  %330 = load ptr, ptr %77, align 8
-  %331 = getelementptr inbounds i8, ptr %330, i64 16
-  %332 = load double, ptr %331, align 8
-  %333 = load ptr, ptr %76, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %6, ptr noundef %333, ptr noundef %333, ptr noundef nonnull %76, i64 noundef %329) #10
-  %334 = load double, ptr %6, align 8
-  %335 = load ptr, ptr %94, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %7, ptr noundef %335, ptr noundef %333, ptr noundef nonnull %76, i64 noundef %329) #10
-  %336 = load double, ptr %7, align 8
-  %337 = fcmp uge double %334, 1.000000e-05
-  %338 = fcmp uge double %336, 1.000000e-05
-  %339 = and i1 %337, %338
-  %340 = fmul double %334, 1.000000e-02
-  %341 = fdiv double %340, %336
-  %342 = select i1 %339, double %341, double 0x3EB0C6F7A0B5ED8D
-  %343 = fcmp olt double %332, %342
-  %344 = select i1 %343, double %332, double %342
-  %345 = load ptr, ptr %75, align 8
-  %346 = getelementptr inbounds i8, ptr %345, i64 8
-  %347 = load i64, ptr %346, align 8
-  %348 = icmp sgt i64 %347, 0
-  br i1 %348, label %379, label %349
+333:                                              ; preds = %331
+  %334 = load ptr, ptr %197, align 8
+  br label %335
 
-349:                                              ; preds = %379, %326
-  %350 = load ptr, ptr %79, align 8
-  %351 = getelementptr inbounds i8, ptr %350, i64 24
-  %352 = load i64, ptr %351, align 8
-  %353 = add nsw i64 %352, 1
-  store i64 %353, ptr %351, align 8
-  %354 = fadd double %214, %344
-  %355 = load ptr, ptr %96, align 8
-  %356 = load ptr, ptr %86, align 8
-  %357 = load i64, ptr %82, align 8
-  %358 = getelementptr inbounds double, ptr %356, i64 %357
-  %359 = load ptr, ptr %90, align 8
-  store double %354, ptr %359, align 8
-  %360 = load ptr, ptr %75, align 8
-  %361 = getelementptr inbounds i8, ptr %360, i64 40
+335:                                              ; preds = %333, %335
+  %336 = phi i64 [ 0, %333 ], [ %346, %335 ]
+  %337 = phi i64 [ %329, %333 ], [ %345, %335 ]
+  %338 = add nuw nsw i64 %336, %337
+  %339 = lshr i64 %338, 1
+  %340 = mul i64 %339, 24
+  %341 = getelementptr inbounds i8, ptr %334, i64 %340
+  %342 = load double, ptr %341, align 8
+  %343 = fcmp ogt double %342, %323
+  %344 = add nuw nsw i64 %339, 1
+  %345 = select i1 %343, i64 %339, i64 %337
+  %346 = select i1 %343, i64 %336, i64 %344
+  %347 = icmp slt i64 %346, %345
+  br i1 %347, label %335, label %348, !llvm.loop !9
+
+348:                                              ; preds = %335, %331
+  %349 = phi i64 [ 0, %331 ], [ %346, %335 ]
+  %350 = icmp slt i64 %349, %329
+  br i1 %350, label %351, label %357
+
+351:                                              ; preds = %348
+  %352 = load ptr, ptr %197, align 8
+  %353 = mul i64 %349, 24
+  %354 = getelementptr inbounds i8, ptr %352, i64 %353
+  %355 = getelementptr inbounds i8, ptr %354, i64 8
+  %356 = load double, ptr %355, align 8
+  br label %357
+
+357:                                              ; preds = %351, %348
+  %358 = phi double [ %356, %351 ], [ 0x7FF0000000000000, %348 ]
+  %359 = load ptr, ptr %198, align 8
+  store double %358, ptr %359, align 8
+  br label %360
+
+360:                                              ; preds = %357, %328
+  %361 = getelementptr inbounds i8, ptr %290, i64 24
   %362 = load i64, ptr %361, align 8
-  %363 = icmp eq i64 %362, 0
-  br i1 %363, label %365, label %364
+  %363 = add nsw i64 %362, 1
+  store i64 %363, ptr %361, align 8
+  %364 = load ptr, ptr %185, align 8
+  %365 = load ptr, ptr %195, align 8
+  %366 = load ptr, ptr %199, align 8
+  store double %323, ptr %366, align 8
+  %367 = load ptr, ptr %184, align 8
+  %368 = getelementptr inbounds i8, ptr %367, i64 40
+  %369 = load i64, ptr %368, align 8
+  %370 = icmp eq i64 %369, 0
+  br i1 %370, label %372, label %371
 
-364:                                              ; preds = %349
-  tail call fastcc void @settle(ptr noundef nonnull %75) #10
-  br label %365
+371:                                              ; preds = %360
+  tail call fastcc void @settle(ptr noundef nonnull %184) #11
+  br label %372
 
-365:                                              ; preds = %364, %349
-  %366 = load i64, ptr %91, align 8
-  %367 = icmp sgt i64 %366, 0
-  br i1 %367, label %368, label %369
+372:                                              ; preds = %371, %360
+  %373 = load i64, ptr %200, align 8
+  %374 = icmp sgt i64 %373, 0
+  br i1 %374, label %375, label %376
 
-368:                                              ; preds = %365
-  tail call fastcc void @sample(ptr noundef nonnull %75) #10
-  br label %369
+375:                                              ; preds = %372
+  tail call fastcc void @sample(ptr noundef nonnull %184) #11
+  br label %376
 
-369:                                              ; preds = %365, %368
-  %370 = load ptr, ptr %75, align 8
-  %371 = load i64, ptr %370, align 8
-  %372 = load ptr, ptr %90, align 8
-  %373 = load ptr, ptr %92, align 8
-  %374 = load ptr, ptr %93, align 8
-  %375 = inttoptr i64 %371 to ptr
-  %376 = load ptr, ptr %375, align 8
-  %377 = tail call i32 %376(ptr noundef %372, ptr noundef %355, ptr noundef %373, ptr noundef %374, ptr noundef %358) #11
-  %378 = icmp eq i32 %377, 0
-  br i1 %378, label %398, label %396
+376:                                              ; preds = %372, %375
+  %377 = load ptr, ptr %184, align 8
+  %378 = load i64, ptr %377, align 8
+  %379 = load ptr, ptr %199, align 8
+  %380 = load ptr, ptr %201, align 8
+  %381 = load ptr, ptr %202, align 8
+  %382 = inttoptr i64 %378 to ptr
+  %383 = load ptr, ptr %382, align 8
+  %384 = tail call i32 %383(ptr noundef %379, ptr noundef %364, ptr noundef %380, ptr noundef %381, ptr noundef %365) #10
+  %385 = icmp eq i32 %384, 0
+  br i1 %385, label %390, label %386
 
-379:                                              ; preds = %326, %379
-  %380 = phi i64 [ %391, %379 ], [ 0, %326 ]
-  %381 = load ptr, ptr %76, align 8
-  %382 = getelementptr inbounds double, ptr %381, i64 %380
-  %383 = load double, ptr %382, align 8
-  %384 = load ptr, ptr %86, align 8
-  %385 = getelementptr inbounds double, ptr %384, i64 %380
-  %386 = load double, ptr %385, align 8
-  %387 = fmul double %344, %386
-  %388 = fadd double %383, %387
-  %389 = load ptr, ptr %95, align 8
-  %390 = getelementptr inbounds double, ptr %389, i64 %380
-  store double %388, ptr %390, align 8
-  %391 = add nuw nsw i64 %380, 1
-  %392 = load ptr, ptr %75, align 8
-  %393 = getelementptr inbounds i8, ptr %392, i64 8
-  %394 = load i64, ptr %393, align 8
-  %395 = icmp slt i64 %391, %394
-  br i1 %395, label %379, label %349, !llvm.loop !11
+386:                                              ; preds = %376
+  %387 = getelementptr inbounds i8, ptr %290, i64 72
+  store i64 3, ptr %387, align 8
+  %388 = icmp slt i32 %384, 0
+  %389 = select i1 %388, i64 -4, i64 2
+  br label %2135
 
-396:                                              ; preds = %369
-  %397 = fmul double %344, 1.000000e-03
-  br label %474
+390:                                              ; preds = %376
+  store i64 1, ptr %290, align 8
+  %391 = getelementptr inbounds i8, ptr %288, i64 24
+  store double 1.000000e-04, ptr %391, align 8
+  %392 = getelementptr inbounds i8, ptr %296, i64 40
+  %393 = load double, ptr %392, align 8
+  %394 = getelementptr inbounds i8, ptr %288, i64 40
+  store double %393, ptr %394, align 8
+  %395 = load ptr, ptr %185, align 8
+  %396 = load ptr, ptr %184, align 8
+  %397 = getelementptr inbounds i8, ptr %396, i64 8
+  %398 = load i64, ptr %397, align 8
+  %399 = load i64, ptr %194, align 8
+  %400 = load ptr, ptr %189, align 8
+  %401 = load ptr, ptr %188, align 8
+  %402 = getelementptr inbounds i8, ptr %401, i64 48
+  %403 = load i64, ptr %402, align 8
+  %404 = icmp slt i64 %403, %399
+  br i1 %404, label %405, label %428
 
-398:                                              ; preds = %369
-  %399 = load ptr, ptr %81, align 8
-  %400 = load double, ptr %399, align 8
-  %401 = load ptr, ptr %94, align 8
-  %402 = load i64, ptr %97, align 8
-  %403 = getelementptr inbounds double, ptr %401, i64 %402
-  %404 = icmp sgt i64 %329, 0
-  br i1 %404, label %405, label %414
+405:                                              ; preds = %390
+  %406 = icmp sgt i64 %398, 0
+  br label %407
 
-405:                                              ; preds = %398, %405
-  %406 = phi i64 [ %412, %405 ], [ 0, %398 ]
-  %407 = getelementptr inbounds double, ptr %403, i64 %406
-  %408 = load double, ptr %407, align 8
-  %409 = getelementptr inbounds double, ptr %401, i64 %406
+407:                                              ; preds = %405, %418
+  %408 = phi i64 [ %403, %405 ], [ %419, %418 ]
+  %409 = getelementptr inbounds double, ptr %400, i64 %408
   %410 = load double, ptr %409, align 8
-  %411 = fsub double %408, %410
-  store double %411, ptr %407, align 8
-  %412 = add nuw nsw i64 %406, 1
-  %413 = icmp eq i64 %412, %329
-  br i1 %413, label %414, label %405, !llvm.loop !12
+  %411 = load ptr, ptr %186, align 8
+  %412 = load double, ptr %411, align 8
+  %413 = fcmp ugt double %410, %412
+  br i1 %413, label %428, label %414
 
-414:                                              ; preds = %405, %398
-  %415 = load ptr, ptr %76, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %8, ptr noundef %403, ptr noundef %415, ptr noundef nonnull %76, i64 noundef %329) #10
-  %416 = load double, ptr %8, align 8
-  %417 = fdiv double %416, %344
-  %418 = fcmp ogt double %336, %417
-  %419 = select i1 %418, double %336, double %417
-  %420 = fcmp ule double %419, 1.000000e-15
-  %421 = fdiv double 1.000000e-02, %419
-  %422 = select i1 %420, double 1.000000e+13, double %421
-  %423 = bitcast double %422 to i64
-  %424 = add nsw i64 %423, -4604544271217802189
-  %425 = ashr i64 %424, 52
-  %426 = and i64 %424, -4503599627370496
-  %427 = sub nsw i64 %423, %426
-  %428 = bitcast i64 %427 to double
-  %429 = fadd double %428, -1.000000e+00
-  %430 = fadd double %428, 1.000000e+00
-  %431 = fdiv double %429, %430
-  %432 = fmul double %431, %431
-  %433 = tail call double @llvm.fma.f64(double %432, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
-  %434 = tail call double @llvm.fma.f64(double %433, double %432, double 0x3FE2776C50EF9BFE)
-  %435 = tail call double @llvm.fma.f64(double %434, double %432, double 0x3FEEC709DC3A03FD)
-  %436 = tail call double @llvm.fma.f64(double %435, double %432, double 0x40071547652B82FE)
-  %437 = trunc nsw i64 %425 to i32
-  %438 = sitofp i32 %437 to double
-  %439 = fmul double %431, %436
-  %440 = fadd double %439, %438
-  %441 = fmul double %400, %440
-  %442 = fcmp ogt double %441, -1.000000e+03
-  %443 = select i1 %442, double %441, double -1.000000e+03
-  %444 = fcmp olt double %443, 1.000000e+03
-  %445 = select i1 %444, double %443, double 1.000000e+03
-  %446 = tail call double @llvm.rint.f64(double %445)
-  %447 = fsub double %445, %446
-  %448 = tail call double @llvm.fma.f64(double %447, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
-  %449 = tail call double @llvm.fma.f64(double %448, double %447, double 0x3F55D87FE78A6730)
-  %450 = tail call double @llvm.fma.f64(double %449, double %447, double 0x3F83B2AB6FBA4E77)
-  %451 = tail call double @llvm.fma.f64(double %450, double %447, double 0x3FAC6B08D704A0BF)
-  %452 = tail call double @llvm.fma.f64(double %451, double %447, double 0x3FCEBFBDFF82C58E)
-  %453 = tail call double @llvm.fma.f64(double %452, double %447, double 0x3FE62E42FEFA39EF)
-  %454 = tail call double @llvm.fma.f64(double %453, double %447, double 1.000000e+00)
-  %455 = bitcast double %454 to i64
-  %456 = fptosi double %446 to i32
-  %457 = sext i32 %456 to i64
-  %458 = shl nsw i64 %457, 52
-  %459 = add nsw i64 %458, %455
-  %460 = bitcast i64 %459 to double
-  %461 = fmul double %344, 1.000000e-03
-  %462 = fcmp olt double %461, 0x3EB0C6F7A0B5ED8D
-  %463 = select i1 %462, double 0x3EB0C6F7A0B5ED8D, double %461
-  %464 = fmul double %344, 1.000000e+02
-  %465 = select i1 %420, double %463, double %460
-  %466 = fcmp olt double %464, %465
-  %467 = select i1 %466, double %464, double %465
-  %468 = tail call double @llvm.fabs.f64(double %214)
-  %469 = fmul double %468, 0x3D30000000000000
-  %470 = fcmp ogt double %469, %467
-  %471 = select i1 %470, double %469, double %467
-  %472 = fcmp olt double %332, %471
-  %473 = select i1 %472, double %332, double %471
+414:                                              ; preds = %407
+  br i1 %406, label %415, label %418
+
+415:                                              ; preds = %414
+  %416 = mul nsw i64 %408, %398
+  %417 = getelementptr double, ptr %1, i64 %416
+  br label %421
+
+418:                                              ; preds = %421, %414
+  %419 = add i64 %408, 1
+  %420 = icmp eq i64 %419, %399
+  br i1 %420, label %428, label %407, !llvm.loop !10
+
+421:                                              ; preds = %415, %421
+  %422 = phi i64 [ 0, %415 ], [ %426, %421 ]
+  %423 = getelementptr inbounds double, ptr %395, i64 %422
+  %424 = load double, ptr %423, align 8
+  %425 = getelementptr double, ptr %417, i64 %422
+  store double %424, ptr %425, align 8
+  %426 = add nuw nsw i64 %422, 1
+  %427 = icmp eq i64 %426, %398
+  br i1 %427, label %418, label %421, !llvm.loop !11
+
+428:                                              ; preds = %407, %418, %390
+  %429 = phi i64 [ %403, %390 ], [ %408, %407 ], [ %399, %418 ]
+  %430 = load ptr, ptr %188, align 8
+  %431 = getelementptr inbounds i8, ptr %430, i64 48
+  store i64 %429, ptr %431, align 8
+  %432 = icmp eq i64 %429, %399
+  br i1 %432, label %2135, label %433
+
+433:                                              ; preds = %428
+  %434 = fcmp oeq double %325, 0.000000e+00
+  br i1 %434, label %435, label %588
+
+435:                                              ; preds = %433
+  %436 = load ptr, ptr %184, align 8
+  %437 = getelementptr inbounds i8, ptr %436, i64 24
+  %438 = load i64, ptr %437, align 8
+  %439 = load ptr, ptr %186, align 8
+  %440 = getelementptr inbounds i8, ptr %439, i64 16
+  %441 = load double, ptr %440, align 8
+  %442 = load ptr, ptr %185, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %6, ptr noundef %442, ptr noundef %442, ptr noundef nonnull %185, i64 noundef %438) #11
+  %443 = load double, ptr %6, align 8
+  %444 = load ptr, ptr %203, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %7, ptr noundef %444, ptr noundef %442, ptr noundef nonnull %185, i64 noundef %438) #11
+  %445 = load double, ptr %7, align 8
+  %446 = fcmp uge double %443, 1.000000e-05
+  %447 = fcmp uge double %445, 1.000000e-05
+  %448 = and i1 %446, %447
+  %449 = fmul double %443, 1.000000e-02
+  %450 = fdiv double %449, %445
+  %451 = select i1 %448, double %450, double 0x3EB0C6F7A0B5ED8D
+  %452 = fcmp olt double %441, %451
+  %453 = select i1 %452, double %441, double %451
+  %454 = load ptr, ptr %184, align 8
+  %455 = getelementptr inbounds i8, ptr %454, i64 8
+  %456 = load i64, ptr %455, align 8
+  %457 = icmp sgt i64 %456, 0
+  br i1 %457, label %488, label %458
+
+458:                                              ; preds = %488, %435
+  %459 = load ptr, ptr %188, align 8
+  %460 = getelementptr inbounds i8, ptr %459, i64 24
+  %461 = load i64, ptr %460, align 8
+  %462 = add nsw i64 %461, 1
+  store i64 %462, ptr %460, align 8
+  %463 = fadd double %323, %453
+  %464 = load ptr, ptr %205, align 8
+  %465 = load ptr, ptr %195, align 8
+  %466 = load i64, ptr %191, align 8
+  %467 = getelementptr inbounds double, ptr %465, i64 %466
+  %468 = load ptr, ptr %199, align 8
+  store double %463, ptr %468, align 8
+  %469 = load ptr, ptr %184, align 8
+  %470 = getelementptr inbounds i8, ptr %469, i64 40
+  %471 = load i64, ptr %470, align 8
+  %472 = icmp eq i64 %471, 0
+  br i1 %472, label %474, label %473
+
+473:                                              ; preds = %458
+  tail call fastcc void @settle(ptr noundef nonnull %184) #11
   br label %474
 
-474:                                              ; preds = %396, %414
-  %475 = phi double [ %397, %396 ], [ %473, %414 ]
-  %476 = tail call i1 @llvm.is.fpclass.f64(double %475, i32 639)
-  br i1 %476, label %477, label %479
+474:                                              ; preds = %473, %458
+  %475 = load i64, ptr %200, align 8
+  %476 = icmp sgt i64 %475, 0
+  br i1 %476, label %477, label %478
 
 477:                                              ; preds = %474
-  %478 = getelementptr inbounds i8, ptr %181, i64 72
-  store i64 4, ptr %478, align 8
-  br label %479
+  tail call fastcc void @sample(ptr noundef nonnull %184) #11
+  br label %478
 
-479:                                              ; preds = %477, %474, %324, %185
-  %480 = phi double [ %475, %474 ], [ %475, %477 ], [ %216, %324 ], [ %216, %185 ]
-  %481 = load i64, ptr %182, align 8
-  %482 = icmp eq i64 %481, 0
-  br i1 %482, label %512, label %483
+478:                                              ; preds = %474, %477
+  %479 = load ptr, ptr %184, align 8
+  %480 = load i64, ptr %479, align 8
+  %481 = load ptr, ptr %199, align 8
+  %482 = load ptr, ptr %201, align 8
+  %483 = load ptr, ptr %202, align 8
+  %484 = inttoptr i64 %480 to ptr
+  %485 = load ptr, ptr %484, align 8
+  %486 = tail call i32 %485(ptr noundef %481, ptr noundef %464, ptr noundef %482, ptr noundef %483, ptr noundef %467) #10
+  %487 = icmp eq i32 %486, 0
+  br i1 %487, label %507, label %505
 
-483:                                              ; preds = %479
-  %484 = getelementptr inbounds i8, ptr %181, i64 8
-  %485 = getelementptr inbounds i8, ptr %181, i64 16
-  %486 = getelementptr inbounds i8, ptr %181, i64 64
-  %487 = getelementptr inbounds i8, ptr %181, i64 48
-  %488 = getelementptr inbounds i8, ptr %179, i64 16
-  %489 = getelementptr inbounds i8, ptr %181, i64 24
-  %490 = icmp sgt i64 %189, 0
-  %491 = select i1 %192, i1 %198, i1 false
-  %492 = getelementptr inbounds i8, ptr %179, i64 32
-  %493 = getelementptr inbounds i8, ptr %181, i64 48
-  %494 = getelementptr inbounds i8, ptr %181, i64 72
-  %495 = getelementptr inbounds i8, ptr %179, i64 24
-  %496 = getelementptr inbounds i8, ptr %179, i64 40
-  %497 = getelementptr inbounds i8, ptr %187, i64 24
-  %498 = getelementptr inbounds i8, ptr %187, i64 8
-  %499 = getelementptr inbounds i8, ptr %187, i64 16
-  %500 = getelementptr inbounds i8, ptr %187, i64 32
-  %501 = getelementptr inbounds i8, ptr %187, i64 40
-  %502 = getelementptr inbounds i8, ptr %187, i64 40
-  %503 = icmp sgt i64 %189, 0
-  %504 = getelementptr inbounds i8, ptr %181, i64 48
-  %505 = getelementptr inbounds i8, ptr %181, i64 72
-  %506 = getelementptr inbounds i8, ptr %181, i64 72
-  %507 = getelementptr inbounds i8, ptr %179, i64 40
-  %508 = getelementptr inbounds i8, ptr %181, i64 72
-  %509 = getelementptr inbounds i8, ptr %187, i64 24
-  %510 = getelementptr inbounds i8, ptr %187, i64 32
-  %511 = getelementptr inbounds i8, ptr %179, i64 40
-  br label %514
+488:                                              ; preds = %435, %488
+  %489 = phi i64 [ %500, %488 ], [ 0, %435 ]
+  %490 = load ptr, ptr %185, align 8
+  %491 = getelementptr inbounds double, ptr %490, i64 %489
+  %492 = load double, ptr %491, align 8
+  %493 = load ptr, ptr %195, align 8
+  %494 = getelementptr inbounds double, ptr %493, i64 %489
+  %495 = load double, ptr %494, align 8
+  %496 = fmul double %453, %495
+  %497 = fadd double %492, %496
+  %498 = load ptr, ptr %204, align 8
+  %499 = getelementptr inbounds double, ptr %498, i64 %489
+  store double %497, ptr %499, align 8
+  %500 = add nuw nsw i64 %489, 1
+  %501 = load ptr, ptr %184, align 8
+  %502 = getelementptr inbounds i8, ptr %501, i64 8
+  %503 = load i64, ptr %502, align 8
+  %504 = icmp slt i64 %500, %503
+  br i1 %504, label %488, label %458, !llvm.loop !12
 
-512:                                              ; preds = %2023, %479
-  %513 = phi double [ %480, %479 ], [ %2019, %2023 ]
-  store double %513, ptr %215, align 8
-  br label %2026
+505:                                              ; preds = %478
+  %506 = fmul double %453, 1.000000e-03
+  br label %583
 
-514:                                              ; preds = %483, %2023
-  %515 = phi i64 [ %481, %483 ], [ %2024, %2023 ]
-  %516 = phi i64 [ undef, %483 ], [ %2022, %2023 ]
-  %517 = phi double [ %214, %483 ], [ %2020, %2023 ]
-  %518 = phi double [ %480, %483 ], [ %2019, %2023 ]
-  %519 = load ptr, ptr %98, align 8
-  %520 = getelementptr inbounds i8, ptr %519, i64 8
-  %521 = load i64, ptr %520, align 8
-  %522 = icmp sgt i64 %521, 0
-  br i1 %522, label %523, label %528
+507:                                              ; preds = %478
+  %508 = load ptr, ptr %190, align 8
+  %509 = load double, ptr %508, align 8
+  %510 = load ptr, ptr %203, align 8
+  %511 = load i64, ptr %206, align 8
+  %512 = getelementptr inbounds double, ptr %510, i64 %511
+  %513 = icmp sgt i64 %438, 0
+  br i1 %513, label %514, label %523
 
-523:                                              ; preds = %514
-  %524 = load i64, ptr %519, align 8
-  %525 = add nsw i64 %524, 3
-  %526 = icmp slt i64 %521, %525
-  %527 = zext i1 %526 to i32
-  br label %528
+514:                                              ; preds = %507, %514
+  %515 = phi i64 [ %521, %514 ], [ 0, %507 ]
+  %516 = getelementptr inbounds double, ptr %512, i64 %515
+  %517 = load double, ptr %516, align 8
+  %518 = getelementptr inbounds double, ptr %510, i64 %515
+  %519 = load double, ptr %518, align 8
+  %520 = fsub double %517, %519
+  store double %520, ptr %516, align 8
+  %521 = add nuw nsw i64 %515, 1
+  %522 = icmp eq i64 %521, %438
+  br i1 %522, label %523, label %514, !llvm.loop !13
 
-528:                                              ; preds = %514, %523
-  %529 = phi i32 [ 0, %514 ], [ %527, %523 ]
-  %530 = icmp eq i32 %529, 0
-  br i1 %530, label %532, label %531
+523:                                              ; preds = %514, %507
+  %524 = load ptr, ptr %185, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %8, ptr noundef %512, ptr noundef %524, ptr noundef nonnull %185, i64 noundef %438) #11
+  %525 = load double, ptr %8, align 8
+  %526 = fdiv double %525, %453
+  %527 = fcmp ogt double %445, %526
+  %528 = select i1 %527, double %445, double %526
+  %529 = fcmp ule double %528, 1.000000e-15
+  %530 = fdiv double 1.000000e-02, %528
+  %531 = select i1 %529, double 1.000000e+13, double %530
+  %532 = bitcast double %531 to i64
+  %533 = add nsw i64 %532, -4604544271217802189
+  %534 = ashr i64 %533, 52
+  %535 = and i64 %533, -4503599627370496
+  %536 = sub nsw i64 %532, %535
+  %537 = bitcast i64 %536 to double
+  %538 = fadd double %537, -1.000000e+00
+  %539 = fadd double %537, 1.000000e+00
+  %540 = fdiv double %538, %539
+  %541 = fmul double %540, %540
+  %542 = tail call double @llvm.fma.f64(double %541, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
+  %543 = tail call double @llvm.fma.f64(double %542, double %541, double 0x3FE2776C50EF9BFE)
+  %544 = tail call double @llvm.fma.f64(double %543, double %541, double 0x3FEEC709DC3A03FD)
+  %545 = tail call double @llvm.fma.f64(double %544, double %541, double 0x40071547652B82FE)
+  %546 = trunc nsw i64 %534 to i32
+  %547 = sitofp i32 %546 to double
+  %548 = fmul double %540, %545
+  %549 = fadd double %548, %547
+  %550 = fmul double %509, %549
+  %551 = fcmp ogt double %550, -1.000000e+03
+  %552 = select i1 %551, double %550, double -1.000000e+03
+  %553 = fcmp olt double %552, 1.000000e+03
+  %554 = select i1 %553, double %552, double 1.000000e+03
+  %555 = tail call double @llvm.rint.f64(double %554)
+  %556 = fsub double %554, %555
+  %557 = tail call double @llvm.fma.f64(double %556, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
+  %558 = tail call double @llvm.fma.f64(double %557, double %556, double 0x3F55D87FE78A6730)
+  %559 = tail call double @llvm.fma.f64(double %558, double %556, double 0x3F83B2AB6FBA4E77)
+  %560 = tail call double @llvm.fma.f64(double %559, double %556, double 0x3FAC6B08D704A0BF)
+  %561 = tail call double @llvm.fma.f64(double %560, double %556, double 0x3FCEBFBDFF82C58E)
+  %562 = tail call double @llvm.fma.f64(double %561, double %556, double 0x3FE62E42FEFA39EF)
+  %563 = tail call double @llvm.fma.f64(double %562, double %556, double 1.000000e+00)
+  %564 = bitcast double %563 to i64
+  %565 = fptosi double %555 to i32
+  %566 = sext i32 %565 to i64
+  %567 = shl nsw i64 %566, 52
+  %568 = add nsw i64 %567, %564
+  %569 = bitcast i64 %568 to double
+  %570 = fmul double %453, 1.000000e-03
+  %571 = fcmp olt double %570, 0x3EB0C6F7A0B5ED8D
+  %572 = select i1 %571, double 0x3EB0C6F7A0B5ED8D, double %570
+  %573 = fmul double %453, 1.000000e+02
+  %574 = select i1 %529, double %572, double %569
+  %575 = fcmp olt double %573, %574
+  %576 = select i1 %575, double %573, double %574
+  %577 = tail call double @llvm.fabs.f64(double %323)
+  %578 = fmul double %577, 0x3D30000000000000
+  %579 = fcmp ogt double %578, %576
+  %580 = select i1 %579, double %578, double %576
+  %581 = fcmp olt double %441, %580
+  %582 = select i1 %581, double %441, double %580
+  br label %583
 
-531:                                              ; preds = %528
-  store double %518, ptr %215, align 8
-  br label %2026
+583:                                              ; preds = %505, %523
+  %584 = phi double [ %506, %505 ], [ %582, %523 ]
+  %585 = tail call i1 @llvm.is.fpclass.f64(double %584, i32 639)
+  br i1 %585, label %586, label %588
 
-532:                                              ; preds = %528
-  %533 = add nsw i64 %515, -1
-  store i64 %533, ptr %182, align 8
-  %534 = load i64, ptr %484, align 8
-  %535 = load i64, ptr %485, align 8
-  %536 = add nsw i64 %535, %534
-  %537 = load i64, ptr %486, align 8
-  %538 = icmp slt i64 %536, %537
-  br i1 %538, label %540, label %539
+586:                                              ; preds = %583
+  %587 = getelementptr inbounds i8, ptr %290, i64 72
+  store i64 4, ptr %587, align 8
+  br label %588
 
-539:                                              ; preds = %532
-  store double %518, ptr %215, align 8
-  br label %2026
+588:                                              ; preds = %586, %583, %433, %294
+  %589 = phi double [ %584, %583 ], [ %584, %586 ], [ %325, %433 ], [ %325, %294 ]
+  %590 = load i64, ptr %291, align 8
+  %591 = icmp eq i64 %590, 0
+  br i1 %591, label %621, label %592
 
-540:                                              ; preds = %532
-  %541 = load i64, ptr %99, align 8
-  %542 = icmp eq i64 %541, 0
-  br i1 %542, label %576, label %543
+592:                                              ; preds = %588
+  %593 = getelementptr inbounds i8, ptr %290, i64 8
+  %594 = getelementptr inbounds i8, ptr %290, i64 16
+  %595 = getelementptr inbounds i8, ptr %290, i64 64
+  %596 = getelementptr inbounds i8, ptr %290, i64 48
+  %597 = getelementptr inbounds i8, ptr %288, i64 16
+  %598 = getelementptr inbounds i8, ptr %290, i64 24
+  %599 = icmp sgt i64 %298, 0
+  %600 = select i1 %301, i1 %307, i1 false
+  %601 = getelementptr inbounds i8, ptr %288, i64 32
+  %602 = getelementptr inbounds i8, ptr %290, i64 48
+  %603 = getelementptr inbounds i8, ptr %290, i64 72
+  %604 = getelementptr inbounds i8, ptr %288, i64 24
+  %605 = getelementptr inbounds i8, ptr %288, i64 40
+  %606 = getelementptr inbounds i8, ptr %296, i64 24
+  %607 = getelementptr inbounds i8, ptr %296, i64 8
+  %608 = getelementptr inbounds i8, ptr %296, i64 16
+  %609 = getelementptr inbounds i8, ptr %296, i64 32
+  %610 = getelementptr inbounds i8, ptr %296, i64 40
+  %611 = getelementptr inbounds i8, ptr %296, i64 40
+  %612 = icmp sgt i64 %298, 0
+  %613 = getelementptr inbounds i8, ptr %290, i64 48
+  %614 = getelementptr inbounds i8, ptr %290, i64 72
+  %615 = getelementptr inbounds i8, ptr %290, i64 72
+  %616 = getelementptr inbounds i8, ptr %288, i64 40
+  %617 = getelementptr inbounds i8, ptr %290, i64 72
+  %618 = getelementptr inbounds i8, ptr %296, i64 24
+  %619 = getelementptr inbounds i8, ptr %296, i64 32
+  %620 = getelementptr inbounds i8, ptr %288, i64 40
+  br label %623
 
-543:                                              ; preds = %540
-  %544 = icmp sgt i64 %541, 0
-  br i1 %544, label %545, label %560
+621:                                              ; preds = %2132, %588
+  %622 = phi double [ %589, %588 ], [ %2128, %2132 ]
+  store double %622, ptr %324, align 8
+  br label %2135
 
-545:                                              ; preds = %543
-  %546 = load ptr, ptr %100, align 8
-  br label %547
+623:                                              ; preds = %592, %2132
+  %624 = phi i64 [ %590, %592 ], [ %2133, %2132 ]
+  %625 = phi i64 [ undef, %592 ], [ %2131, %2132 ]
+  %626 = phi double [ %323, %592 ], [ %2129, %2132 ]
+  %627 = phi double [ %589, %592 ], [ %2128, %2132 ]
+  %628 = load ptr, ptr %207, align 8
+  %629 = getelementptr inbounds i8, ptr %628, i64 8
+  %630 = load i64, ptr %629, align 8
+  %631 = icmp sgt i64 %630, 0
+  br i1 %631, label %632, label %637
 
-547:                                              ; preds = %545, %547
-  %548 = phi i64 [ 0, %545 ], [ %558, %547 ]
-  %549 = phi i64 [ %541, %545 ], [ %557, %547 ]
-  %550 = add nuw nsw i64 %548, %549
-  %551 = lshr i64 %550, 1
-  %552 = mul i64 %551, 24
-  %553 = getelementptr inbounds i8, ptr %546, i64 %552
-  %554 = load double, ptr %553, align 8
-  %555 = fcmp ogt double %554, %517
-  %556 = add nuw nsw i64 %551, 1
-  %557 = select i1 %555, i64 %551, i64 %549
-  %558 = select i1 %555, i64 %548, i64 %556
-  %559 = icmp slt i64 %558, %557
-  br i1 %559, label %547, label %560, !llvm.loop !8
+632:                                              ; preds = %623
+  %633 = load i64, ptr %628, align 8
+  %634 = add nsw i64 %633, 3
+  %635 = icmp slt i64 %630, %634
+  %636 = zext i1 %635 to i32
+  br label %637
 
-560:                                              ; preds = %547, %543
-  %561 = phi i64 [ 0, %543 ], [ %558, %547 ]
-  %562 = load ptr, ptr %100, align 8
-  %563 = mul i64 %561, 24
-  %564 = getelementptr inbounds i8, ptr %562, i64 %563
-  %565 = icmp slt i64 %561, %541
-  br i1 %565, label %566, label %569
+637:                                              ; preds = %623, %632
+  %638 = phi i32 [ 0, %623 ], [ %636, %632 ]
+  %639 = icmp eq i32 %638, 0
+  br i1 %639, label %641, label %640
 
-566:                                              ; preds = %560
-  %567 = getelementptr inbounds i8, ptr %564, i64 8
-  %568 = load double, ptr %567, align 8
-  br label %569
+640:                                              ; preds = %637
+  store double %627, ptr %324, align 8
+  br label %2135
 
-569:                                              ; preds = %566, %560
-  %570 = phi double [ %568, %566 ], [ 0x7FF0000000000000, %560 ]
-  %571 = load ptr, ptr %101, align 8
-  store double %570, ptr %571, align 8
-  %572 = load i64, ptr %99, align 8
-  %573 = icmp slt i64 %561, %572
-  br i1 %573, label %574, label %576
+641:                                              ; preds = %637
+  %642 = add nsw i64 %624, -1
+  store i64 %642, ptr %291, align 8
+  %643 = load i64, ptr %593, align 8
+  %644 = load i64, ptr %594, align 8
+  %645 = add nsw i64 %644, %643
+  %646 = load i64, ptr %595, align 8
+  %647 = icmp slt i64 %645, %646
+  br i1 %647, label %649, label %648
 
-574:                                              ; preds = %569
-  %575 = load double, ptr %564, align 8
-  br label %576
+648:                                              ; preds = %641
+  store double %627, ptr %324, align 8
+  br label %2135
 
-576:                                              ; preds = %540, %569, %574
-  %577 = phi double [ 0x7FF0000000000000, %540 ], [ %575, %574 ], [ 0x7FF0000000000000, %569 ]
-  br i1 %195, label %578, label %582
+649:                                              ; preds = %641
+  %650 = load i64, ptr %208, align 8
+  %651 = icmp eq i64 %650, 0
+  br i1 %651, label %685, label %652
 
-578:                                              ; preds = %576
-  %579 = load i64, ptr %487, align 8
-  %580 = getelementptr inbounds double, ptr %186, i64 %579
-  %581 = load double, ptr %580, align 8
-  br label %582
+652:                                              ; preds = %649
+  %653 = icmp sgt i64 %650, 0
+  br i1 %653, label %654, label %669
 
-582:                                              ; preds = %578, %576
-  %583 = phi double [ %581, %578 ], [ %206, %576 ]
-  %584 = fcmp olt double %583, %577
-  %585 = select i1 %584, double %583, double %577
-  br i1 %195, label %590, label %586
+654:                                              ; preds = %652
+  %655 = load ptr, ptr %209, align 8
+  br label %656
 
-586:                                              ; preds = %582
-  %587 = load double, ptr %488, align 8
-  %588 = fcmp olt double %518, %587
-  %589 = select i1 %588, double %518, double %587
-  br label %596
+656:                                              ; preds = %654, %656
+  %657 = phi i64 [ 0, %654 ], [ %667, %656 ]
+  %658 = phi i64 [ %650, %654 ], [ %666, %656 ]
+  %659 = add nuw nsw i64 %657, %658
+  %660 = lshr i64 %659, 1
+  %661 = mul i64 %660, 24
+  %662 = getelementptr inbounds i8, ptr %655, i64 %661
+  %663 = load double, ptr %662, align 8
+  %664 = fcmp ogt double %663, %626
+  %665 = add nuw nsw i64 %660, 1
+  %666 = select i1 %664, i64 %660, i64 %658
+  %667 = select i1 %664, i64 %657, i64 %665
+  %668 = icmp slt i64 %667, %666
+  br i1 %668, label %656, label %669, !llvm.loop !9
 
-590:                                              ; preds = %582
-  %591 = fsub double %585, %517
-  %592 = fdiv double %591, %518
-  %593 = fmul double %592, 0x3FEFFFFFFFFFDCD1
-  %594 = tail call double @llvm.ceil.f64(double %593)
-  %595 = fdiv double %591, %594
-  br label %596
+669:                                              ; preds = %656, %652
+  %670 = phi i64 [ 0, %652 ], [ %667, %656 ]
+  %671 = load ptr, ptr %209, align 8
+  %672 = mul i64 %670, 24
+  %673 = getelementptr inbounds i8, ptr %671, i64 %672
+  %674 = icmp slt i64 %670, %650
+  br i1 %674, label %675, label %678
 
-596:                                              ; preds = %590, %586
-  %597 = phi double [ %589, %586 ], [ %595, %590 ]
-  %598 = fadd double %517, %597
-  %599 = fmul double %597, 1.000000e-03
-  %600 = fsub double %585, %599
-  %601 = fcmp ule double %598, %600
-  %602 = select i1 %601, double %598, double %585
-  %603 = fsub double %602, %517
-  %604 = fmul double %603, 6.250000e-02
-  %605 = fadd double %517, %604
-  %606 = fcmp ule double %605, %517
-  %607 = fcmp une double %602, %585
-  %608 = and i1 %607, %606
-  br i1 %608, label %609, label %610
+675:                                              ; preds = %669
+  %676 = getelementptr inbounds i8, ptr %673, i64 8
+  %677 = load double, ptr %676, align 8
+  br label %678
 
-609:                                              ; preds = %596
-  store double %603, ptr %215, align 8
-  br label %2018
+678:                                              ; preds = %675, %669
+  %679 = phi double [ %677, %675 ], [ 0x7FF0000000000000, %669 ]
+  %680 = load ptr, ptr %210, align 8
+  store double %679, ptr %680, align 8
+  %681 = load i64, ptr %208, align 8
+  %682 = icmp slt i64 %670, %681
+  br i1 %682, label %683, label %685
 
-610:                                              ; preds = %596
-  %611 = load ptr, ptr %0, align 8
-  %612 = load i64, ptr %611, align 8
-  %613 = load ptr, ptr %102, align 8
-  %614 = insertelement <8 x double> poison, double %603, i64 0
-  %615 = shufflevector <8 x double> %614, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %615, ptr %613, align 8
-  %616 = icmp sgt i64 %612, 1
-  br i1 %616, label %621, label %712
+683:                                              ; preds = %678
+  %684 = load double, ptr %673, align 8
+  br label %685
 
-617:                                              ; preds = %700
-  %618 = add nuw nsw i64 %624, 1
-  %619 = icmp slt i64 %618, %612
-  %620 = icmp eq i64 %618, %612
-  br i1 %620, label %712, label %621, !llvm.loop !13
+685:                                              ; preds = %649, %678, %683
+  %686 = phi double [ 0x7FF0000000000000, %649 ], [ %684, %683 ], [ 0x7FF0000000000000, %678 ]
+  br i1 %304, label %687, label %691
 
-621:                                              ; preds = %610, %617
-  %622 = phi i1 [ %619, %617 ], [ %616, %610 ]
-  %623 = phi i64 [ %711, %617 ], [ undef, %610 ]
-  %624 = phi i64 [ %618, %617 ], [ 1, %610 ]
-  %625 = load ptr, ptr %103, align 8
-  %626 = load ptr, ptr %76, align 8
-  %627 = load ptr, ptr %75, align 8
-  %628 = getelementptr inbounds i8, ptr %627, i64 16
-  %629 = load i64, ptr %628, align 8
-  %630 = icmp sgt i64 %629, 1
-  %631 = zext i1 %630 to i64
-  %632 = load ptr, ptr %104, align 8
-  %633 = getelementptr inbounds i64, ptr %632, i64 %624
-  %634 = load i64, ptr %633, align 8
-  %635 = getelementptr i8, ptr %633, i64 8
-  %636 = load i64, ptr %635, align 8
-  %637 = xor i64 %634, -1
-  %638 = add i64 %636, %637
-  %639 = load ptr, ptr %102, align 8
-  %640 = load ptr, ptr %105, align 8
-  %641 = load ptr, ptr %106, align 8
-  %642 = getelementptr inbounds i64, ptr %641, i64 %634
-  %643 = load ptr, ptr %107, align 8
-  %644 = getelementptr inbounds double, ptr %643, i64 %634
-  tail call fastcc void @combine(ptr noundef %625, ptr noundef %626, ptr noundef %639, ptr noundef %640, ptr noundef %642, ptr noundef %644, i64 noundef %638, i64 noundef %631, i64 noundef %629) #10
-  %645 = icmp eq i64 %629, 1
-  br i1 %645, label %646, label %677
+687:                                              ; preds = %685
+  %688 = load i64, ptr %596, align 8
+  %689 = getelementptr inbounds double, ptr %295, i64 %688
+  %690 = load double, ptr %689, align 8
+  br label %691
 
-646:                                              ; preds = %621
-  %647 = load ptr, ptr %104, align 8
-  %648 = getelementptr i64, ptr %647, i64 %624
-  %649 = getelementptr i8, ptr %648, i64 8
-  %650 = load i64, ptr %649, align 8
-  %651 = add nsw i64 %650, -1
-  %652 = load ptr, ptr %107, align 8
-  %653 = getelementptr inbounds double, ptr %652, i64 %651
-  %654 = load double, ptr %653, align 8
-  %655 = fmul double %603, %654
-  %656 = load ptr, ptr %105, align 8
-  %657 = load ptr, ptr %106, align 8
-  %658 = getelementptr inbounds i64, ptr %657, i64 %651
-  %659 = load i64, ptr %658, align 8
-  %660 = getelementptr inbounds double, ptr %656, i64 %659
-  %661 = load ptr, ptr %75, align 8
-  %662 = getelementptr inbounds i8, ptr %661, i64 8
-  %663 = load i64, ptr %662, align 8
-  %664 = icmp sgt i64 %663, 0
-  br i1 %664, label %665, label %677
+691:                                              ; preds = %687, %685
+  %692 = phi double [ %690, %687 ], [ %315, %685 ]
+  %693 = fcmp olt double %692, %686
+  %694 = select i1 %693, double %692, double %686
+  br i1 %304, label %699, label %695
 
-665:                                              ; preds = %646, %665
-  %666 = phi i64 [ %672, %665 ], [ 0, %646 ]
-  %667 = getelementptr inbounds double, ptr %660, i64 %666
-  %668 = load double, ptr %667, align 8
-  %669 = getelementptr inbounds double, ptr %625, i64 %666
-  %670 = load double, ptr %669, align 8
-  %671 = tail call double @llvm.fma.f64(double %655, double %668, double %670)
-  store double %671, ptr %669, align 8
-  %672 = add nuw nsw i64 %666, 1
-  %673 = load ptr, ptr %75, align 8
-  %674 = getelementptr inbounds i8, ptr %673, i64 8
-  %675 = load i64, ptr %674, align 8
-  %676 = icmp slt i64 %672, %675
-  br i1 %676, label %665, label %677, !llvm.loop !14
+695:                                              ; preds = %691
+  %696 = load double, ptr %597, align 8
+  %697 = fcmp olt double %627, %696
+  %698 = select i1 %697, double %627, double %696
+  br label %705
 
-677:                                              ; preds = %665, %646, %621
-  %678 = load ptr, ptr %105, align 8
-  %679 = load i64, ptr %108, align 8
-  %680 = mul nsw i64 %679, %624
-  %681 = getelementptr inbounds double, ptr %678, i64 %680
-  %682 = load i64, ptr %489, align 8
-  %683 = add nsw i64 %682, 1
-  store i64 %683, ptr %489, align 8
-  %684 = load ptr, ptr %109, align 8
-  %685 = getelementptr inbounds double, ptr %684, i64 %624
-  %686 = load double, ptr %685, align 8
-  %687 = fmul double %603, %686
-  %688 = fadd double %517, %687
-  %689 = load ptr, ptr %103, align 8
-  %690 = load ptr, ptr %110, align 8
-  store double %688, ptr %690, align 8
-  %691 = load ptr, ptr %75, align 8
-  %692 = getelementptr inbounds i8, ptr %691, i64 40
-  %693 = load i64, ptr %692, align 8
-  %694 = icmp eq i64 %693, 0
-  br i1 %694, label %696, label %695
+699:                                              ; preds = %691
+  %700 = fsub double %694, %626
+  %701 = fdiv double %700, %627
+  %702 = fmul double %701, 0x3FEFFFFFFFFFDCD1
+  %703 = tail call double @llvm.ceil.f64(double %702)
+  %704 = fdiv double %700, %703
+  br label %705
 
-695:                                              ; preds = %677
-  tail call fastcc void @settle(ptr noundef nonnull %75) #10
-  br label %696
+705:                                              ; preds = %699, %695
+  %706 = phi double [ %698, %695 ], [ %704, %699 ]
+  %707 = fadd double %626, %706
+  %708 = fmul double %706, 1.000000e-03
+  %709 = fsub double %694, %708
+  %710 = fcmp ule double %707, %709
+  %711 = select i1 %710, double %707, double %694
+  %712 = fsub double %711, %626
+  %713 = fmul double %712, 6.250000e-02
+  %714 = fadd double %626, %713
+  %715 = fcmp ule double %714, %626
+  %716 = fcmp une double %711, %694
+  %717 = and i1 %716, %715
+  br i1 %717, label %718, label %719
 
-696:                                              ; preds = %695, %677
-  %697 = load i64, ptr %111, align 8
-  %698 = icmp sgt i64 %697, 0
-  br i1 %698, label %699, label %700
+718:                                              ; preds = %705
+  store double %712, ptr %324, align 8
+  br label %2127
 
-699:                                              ; preds = %696
-  tail call fastcc void @sample(ptr noundef nonnull %75) #10
-  br label %700
-
-700:                                              ; preds = %696, %699
-  %701 = load ptr, ptr %75, align 8
-  %702 = load i64, ptr %701, align 8
-  %703 = load ptr, ptr %110, align 8
-  %704 = load ptr, ptr %112, align 8
-  %705 = load ptr, ptr %113, align 8
-  %706 = inttoptr i64 %702 to ptr
-  %707 = load ptr, ptr %706, align 8
-  %708 = tail call i32 %707(ptr noundef %703, ptr noundef %689, ptr noundef %704, ptr noundef %705, ptr noundef %681) #11
-  %709 = sext i32 %708 to i64
-  %710 = icmp eq i32 %708, 0
-  %711 = select i1 %710, i64 %623, i64 %709
-  br i1 %710, label %617, label %712
-
-712:                                              ; preds = %617, %700, %610
-  %713 = phi i1 [ %616, %610 ], [ %619, %617 ], [ %622, %700 ]
-  %714 = phi i64 [ 0, %610 ], [ %709, %700 ], [ %709, %617 ]
-  %715 = phi i64 [ undef, %610 ], [ %711, %700 ], [ %711, %617 ]
-  br i1 %713, label %769, label %716
-
-716:                                              ; preds = %712
-  %717 = load ptr, ptr %114, align 8
-  %718 = load ptr, ptr %76, align 8
-  %719 = load ptr, ptr %75, align 8
-  %720 = getelementptr inbounds i8, ptr %719, i64 16
+719:                                              ; preds = %705
+  %720 = load ptr, ptr %0, align 8
   %721 = load i64, ptr %720, align 8
-  %722 = icmp sgt i64 %721, 1
-  %723 = zext i1 %722 to i64
-  %724 = load ptr, ptr %115, align 8
-  %725 = getelementptr inbounds i64, ptr %724, i64 %612
-  %726 = load i64, ptr %725, align 8
-  %727 = getelementptr i8, ptr %725, i64 8
-  %728 = load i64, ptr %727, align 8
-  %729 = xor i64 %726, -1
-  %730 = add i64 %728, %729
-  %731 = load ptr, ptr %102, align 8
-  %732 = load ptr, ptr %116, align 8
-  %733 = load ptr, ptr %117, align 8
-  %734 = getelementptr inbounds i64, ptr %733, i64 %726
-  %735 = load ptr, ptr %118, align 8
-  %736 = getelementptr inbounds double, ptr %735, i64 %726
-  tail call fastcc void @combine(ptr noundef %717, ptr noundef %718, ptr noundef %731, ptr noundef %732, ptr noundef %734, ptr noundef %736, i64 noundef %730, i64 noundef %723, i64 noundef %721) #10
-  %737 = icmp eq i64 %721, 1
-  br i1 %737, label %738, label %769
+  %722 = load ptr, ptr %211, align 8
+  %723 = insertelement <8 x double> poison, double %712, i64 0
+  %724 = shufflevector <8 x double> %723, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %724, ptr %722, align 8
+  %725 = icmp sgt i64 %721, 1
+  br i1 %725, label %730, label %821
 
-738:                                              ; preds = %716
-  %739 = load ptr, ptr %115, align 8
-  %740 = getelementptr i64, ptr %739, i64 %612
-  %741 = getelementptr i8, ptr %740, i64 8
-  %742 = load i64, ptr %741, align 8
-  %743 = add nsw i64 %742, -1
-  %744 = load ptr, ptr %118, align 8
-  %745 = getelementptr inbounds double, ptr %744, i64 %743
-  %746 = load double, ptr %745, align 8
-  %747 = fmul double %603, %746
-  %748 = load ptr, ptr %116, align 8
-  %749 = load ptr, ptr %117, align 8
-  %750 = getelementptr inbounds i64, ptr %749, i64 %743
-  %751 = load i64, ptr %750, align 8
-  %752 = getelementptr inbounds double, ptr %748, i64 %751
-  %753 = load ptr, ptr %75, align 8
-  %754 = getelementptr inbounds i8, ptr %753, i64 8
-  %755 = load i64, ptr %754, align 8
-  %756 = icmp sgt i64 %755, 0
-  br i1 %756, label %757, label %769
+726:                                              ; preds = %809
+  %727 = add nuw nsw i64 %733, 1
+  %728 = icmp slt i64 %727, %721
+  %729 = icmp eq i64 %727, %721
+  br i1 %729, label %821, label %730, !llvm.loop !14
 
-757:                                              ; preds = %738, %757
-  %758 = phi i64 [ %764, %757 ], [ 0, %738 ]
-  %759 = getelementptr inbounds double, ptr %752, i64 %758
-  %760 = load double, ptr %759, align 8
-  %761 = getelementptr inbounds double, ptr %717, i64 %758
-  %762 = load double, ptr %761, align 8
-  %763 = tail call double @llvm.fma.f64(double %747, double %760, double %762)
-  store double %763, ptr %761, align 8
-  %764 = add nuw nsw i64 %758, 1
-  %765 = load ptr, ptr %75, align 8
-  %766 = getelementptr inbounds i8, ptr %765, i64 8
-  %767 = load i64, ptr %766, align 8
-  %768 = icmp slt i64 %764, %767
-  br i1 %768, label %757, label %769, !llvm.loop !14
+730:                                              ; preds = %719, %726
+  %731 = phi i1 [ %728, %726 ], [ %725, %719 ]
+  %732 = phi i64 [ %820, %726 ], [ undef, %719 ]
+  %733 = phi i64 [ %727, %726 ], [ 1, %719 ]
+  %734 = load ptr, ptr %212, align 8
+  %735 = load ptr, ptr %185, align 8
+  %736 = load ptr, ptr %184, align 8
+  %737 = getelementptr inbounds i8, ptr %736, i64 16
+  %738 = load i64, ptr %737, align 8
+  %739 = icmp sgt i64 %738, 1
+  %740 = zext i1 %739 to i64
+  %741 = load ptr, ptr %213, align 8
+  %742 = getelementptr inbounds i64, ptr %741, i64 %733
+  %743 = load i64, ptr %742, align 8
+  %744 = getelementptr i8, ptr %742, i64 8
+  %745 = load i64, ptr %744, align 8
+  %746 = xor i64 %743, -1
+  %747 = add i64 %745, %746
+  %748 = load ptr, ptr %211, align 8
+  %749 = load ptr, ptr %214, align 8
+  %750 = load ptr, ptr %215, align 8
+  %751 = getelementptr inbounds i64, ptr %750, i64 %743
+  %752 = load ptr, ptr %216, align 8
+  %753 = getelementptr inbounds double, ptr %752, i64 %743
+  tail call fastcc void @combine(ptr noundef %734, ptr noundef %735, ptr noundef %748, ptr noundef %749, ptr noundef %751, ptr noundef %753, i64 noundef %747, i64 noundef %740, i64 noundef %738) #11
+  %754 = icmp eq i64 %738, 1
+  br i1 %754, label %755, label %786
 
-769:                                              ; preds = %757, %738, %716, %712
-  %770 = phi i64 [ %715, %712 ], [ %714, %716 ], [ %714, %738 ], [ %714, %757 ]
-  %771 = icmp eq i64 %770, 0
-  %772 = select i1 %771, i1 %198, i1 false
-  br i1 %772, label %773, label %796
+755:                                              ; preds = %730
+  %756 = load ptr, ptr %213, align 8
+  %757 = getelementptr i64, ptr %756, i64 %733
+  %758 = getelementptr i8, ptr %757, i64 8
+  %759 = load i64, ptr %758, align 8
+  %760 = add nsw i64 %759, -1
+  %761 = load ptr, ptr %216, align 8
+  %762 = getelementptr inbounds double, ptr %761, i64 %760
+  %763 = load double, ptr %762, align 8
+  %764 = fmul double %712, %763
+  %765 = load ptr, ptr %214, align 8
+  %766 = load ptr, ptr %215, align 8
+  %767 = getelementptr inbounds i64, ptr %766, i64 %760
+  %768 = load i64, ptr %767, align 8
+  %769 = getelementptr inbounds double, ptr %765, i64 %768
+  %770 = load ptr, ptr %184, align 8
+  %771 = getelementptr inbounds i8, ptr %770, i64 8
+  %772 = load i64, ptr %771, align 8
+  %773 = icmp sgt i64 %772, 0
+  br i1 %773, label %774, label %786
 
-773:                                              ; preds = %769
-  %774 = load i64, ptr %489, align 8
-  %775 = add nsw i64 %774, 1
-  store i64 %775, ptr %489, align 8
-  %776 = load ptr, ptr %119, align 8
-  store double %602, ptr %776, align 8
-  %777 = load ptr, ptr %75, align 8
-  %778 = getelementptr inbounds i8, ptr %777, i64 40
-  %779 = load i64, ptr %778, align 8
-  %780 = icmp eq i64 %779, 0
-  br i1 %780, label %782, label %781
+774:                                              ; preds = %755, %774
+  %775 = phi i64 [ %781, %774 ], [ 0, %755 ]
+  %776 = getelementptr inbounds double, ptr %769, i64 %775
+  %777 = load double, ptr %776, align 8
+  %778 = getelementptr inbounds double, ptr %734, i64 %775
+  %779 = load double, ptr %778, align 8
+  %780 = tail call double @llvm.fma.f64(double %764, double %777, double %779)
+  store double %780, ptr %778, align 8
+  %781 = add nuw nsw i64 %775, 1
+  %782 = load ptr, ptr %184, align 8
+  %783 = getelementptr inbounds i8, ptr %782, i64 8
+  %784 = load i64, ptr %783, align 8
+  %785 = icmp slt i64 %781, %784
+  br i1 %785, label %774, label %786, !llvm.loop !15
 
-781:                                              ; preds = %773
-  tail call fastcc void @settle(ptr noundef nonnull %75) #10
-  br label %782
+786:                                              ; preds = %774, %755, %730
+  %787 = load ptr, ptr %214, align 8
+  %788 = load i64, ptr %217, align 8
+  %789 = mul nsw i64 %788, %733
+  %790 = getelementptr inbounds double, ptr %787, i64 %789
+  %791 = load i64, ptr %598, align 8
+  %792 = add nsw i64 %791, 1
+  store i64 %792, ptr %598, align 8
+  %793 = load ptr, ptr %218, align 8
+  %794 = getelementptr inbounds double, ptr %793, i64 %733
+  %795 = load double, ptr %794, align 8
+  %796 = fmul double %712, %795
+  %797 = fadd double %626, %796
+  %798 = load ptr, ptr %212, align 8
+  %799 = load ptr, ptr %219, align 8
+  store double %797, ptr %799, align 8
+  %800 = load ptr, ptr %184, align 8
+  %801 = getelementptr inbounds i8, ptr %800, i64 40
+  %802 = load i64, ptr %801, align 8
+  %803 = icmp eq i64 %802, 0
+  br i1 %803, label %805, label %804
 
-782:                                              ; preds = %781, %773
-  %783 = load i64, ptr %120, align 8
-  %784 = icmp sgt i64 %783, 0
-  br i1 %784, label %785, label %786
+804:                                              ; preds = %786
+  tail call fastcc void @settle(ptr noundef nonnull %184) #11
+  br label %805
 
-785:                                              ; preds = %782
-  tail call fastcc void @sample(ptr noundef nonnull %75) #10
-  br label %786
+805:                                              ; preds = %804, %786
+  %806 = load i64, ptr %220, align 8
+  %807 = icmp sgt i64 %806, 0
+  br i1 %807, label %808, label %809
 
-786:                                              ; preds = %782, %785
-  %787 = load ptr, ptr %75, align 8
-  %788 = load i64, ptr %787, align 8
-  %789 = load ptr, ptr %119, align 8
-  %790 = load ptr, ptr %121, align 8
-  %791 = load ptr, ptr %122, align 8
-  %792 = inttoptr i64 %788 to ptr
-  %793 = load ptr, ptr %792, align 8
-  %794 = tail call i32 %793(ptr noundef %789, ptr noundef %180, ptr noundef %790, ptr noundef %791, ptr noundef %213) #11
-  %795 = sext i32 %794 to i64
-  br label %796
+808:                                              ; preds = %805
+  tail call fastcc void @sample(ptr noundef nonnull %184) #11
+  br label %809
 
-796:                                              ; preds = %786, %769
-  %797 = phi i64 [ %795, %786 ], [ %770, %769 ]
-  %798 = icmp slt i64 %797, 0
-  br i1 %798, label %2018, label %799
+809:                                              ; preds = %805, %808
+  %810 = load ptr, ptr %184, align 8
+  %811 = load i64, ptr %810, align 8
+  %812 = load ptr, ptr %219, align 8
+  %813 = load ptr, ptr %221, align 8
+  %814 = load ptr, ptr %222, align 8
+  %815 = inttoptr i64 %811 to ptr
+  %816 = load ptr, ptr %815, align 8
+  %817 = tail call i32 %816(ptr noundef %812, ptr noundef %798, ptr noundef %813, ptr noundef %814, ptr noundef %790) #10
+  %818 = sext i32 %817 to i64
+  %819 = icmp eq i32 %817, 0
+  %820 = select i1 %819, i64 %732, i64 %818
+  br i1 %819, label %726, label %821
 
-799:                                              ; preds = %796
-  %800 = icmp eq i64 %797, 0
-  br i1 %800, label %801, label %1143
+821:                                              ; preds = %726, %809, %719
+  %822 = phi i1 [ %725, %719 ], [ %728, %726 ], [ %731, %809 ]
+  %823 = phi i64 [ 0, %719 ], [ %818, %809 ], [ %818, %726 ]
+  %824 = phi i64 [ undef, %719 ], [ %820, %809 ], [ %820, %726 ]
+  br i1 %822, label %878, label %825
 
-801:                                              ; preds = %799
-  br i1 %195, label %802, label %803
-
-802:                                              ; preds = %801
-  br i1 %490, label %1092, label %1101
-
-803:                                              ; preds = %801
-  %804 = load ptr, ptr %75, align 8
-  %805 = load ptr, ptr %0, align 8
-  %806 = getelementptr inbounds i8, ptr %804, i64 24
-  %807 = load i64, ptr %806, align 8
-  %808 = getelementptr inbounds i8, ptr %805, i64 8
-  %809 = load i64, ptr %808, align 8
-  %810 = load ptr, ptr %123, align 8
-  %811 = load i64, ptr %124, align 8
-  %812 = getelementptr inbounds double, ptr %810, i64 %811
-  %813 = icmp sgt i64 %809, 0
-  br i1 %813, label %814, label %816
-
-814:                                              ; preds = %803
-  %815 = getelementptr inbounds i8, ptr %804, i64 32
-  br label %824
-
-816:                                              ; preds = %824, %803
-  %817 = icmp sgt i64 %807, 0
-  br i1 %817, label %818, label %881
-
-818:                                              ; preds = %816
-  %819 = load ptr, ptr %76, align 8
-  %820 = load ptr, ptr %130, align 8
-  %821 = load ptr, ptr %131, align 8
-  %822 = load ptr, ptr %132, align 8
-  %823 = load ptr, ptr %123, align 8
-  br label %850
-
-824:                                              ; preds = %814, %824
-  %825 = phi i64 [ 0, %814 ], [ %848, %824 ]
-  %826 = load i64, ptr %805, align 8
-  %827 = load i64, ptr %815, align 8
-  %828 = load ptr, ptr %123, align 8
-  %829 = load i64, ptr %124, align 8
-  %830 = mul nsw i64 %829, %825
-  %831 = getelementptr inbounds double, ptr %828, i64 %830
-  %832 = load ptr, ptr %125, align 8
-  %833 = load ptr, ptr %126, align 8
-  %834 = getelementptr i64, ptr %833, i64 %826
-  %835 = getelementptr i8, ptr %834, i64 8
-  %836 = getelementptr i64, ptr %835, i64 %825
+825:                                              ; preds = %821
+  %826 = load ptr, ptr %223, align 8
+  %827 = load ptr, ptr %185, align 8
+  %828 = load ptr, ptr %184, align 8
+  %829 = getelementptr inbounds i8, ptr %828, i64 16
+  %830 = load i64, ptr %829, align 8
+  %831 = icmp sgt i64 %830, 1
+  %832 = zext i1 %831 to i64
+  %833 = load ptr, ptr %224, align 8
+  %834 = getelementptr inbounds i64, ptr %833, i64 %721
+  %835 = load i64, ptr %834, align 8
+  %836 = getelementptr i8, ptr %834, i64 8
   %837 = load i64, ptr %836, align 8
-  %838 = getelementptr i8, ptr %836, i64 8
-  %839 = load i64, ptr %838, align 8
-  %840 = xor i64 %837, -1
-  %841 = add i64 %839, %840
-  %842 = load ptr, ptr %102, align 8
-  %843 = load ptr, ptr %127, align 8
-  %844 = load ptr, ptr %128, align 8
-  %845 = getelementptr inbounds i64, ptr %844, i64 %837
-  %846 = load ptr, ptr %129, align 8
-  %847 = getelementptr inbounds double, ptr %846, i64 %837
-  tail call fastcc void @combine(ptr noundef %831, ptr noundef %832, ptr noundef %842, ptr noundef %843, ptr noundef %845, ptr noundef %847, i64 noundef %841, i64 noundef 1, i64 noundef %827) #10
-  %848 = add nuw nsw i64 %825, 1
-  %849 = icmp eq i64 %848, %809
-  br i1 %849, label %816, label %824, !llvm.loop !15
+  %838 = xor i64 %835, -1
+  %839 = add i64 %837, %838
+  %840 = load ptr, ptr %211, align 8
+  %841 = load ptr, ptr %225, align 8
+  %842 = load ptr, ptr %226, align 8
+  %843 = getelementptr inbounds i64, ptr %842, i64 %835
+  %844 = load ptr, ptr %227, align 8
+  %845 = getelementptr inbounds double, ptr %844, i64 %835
+  tail call fastcc void @combine(ptr noundef %826, ptr noundef %827, ptr noundef %840, ptr noundef %841, ptr noundef %843, ptr noundef %845, i64 noundef %839, i64 noundef %832, i64 noundef %830) #11
+  %846 = icmp eq i64 %830, 1
+  br i1 %846, label %847, label %878
 
-850:                                              ; preds = %818, %850
-  %851 = phi double [ 0.000000e+00, %818 ], [ %876, %850 ]
-  %852 = phi double [ 0.000000e+00, %818 ], [ %878, %850 ]
-  %853 = phi i64 [ 0, %818 ], [ %879, %850 ]
-  %854 = getelementptr inbounds double, ptr %819, i64 %853
+847:                                              ; preds = %825
+  %848 = load ptr, ptr %224, align 8
+  %849 = getelementptr i64, ptr %848, i64 %721
+  %850 = getelementptr i8, ptr %849, i64 8
+  %851 = load i64, ptr %850, align 8
+  %852 = add nsw i64 %851, -1
+  %853 = load ptr, ptr %227, align 8
+  %854 = getelementptr inbounds double, ptr %853, i64 %852
   %855 = load double, ptr %854, align 8
-  %856 = getelementptr inbounds double, ptr %820, i64 %853
-  %857 = load double, ptr %856, align 8
-  %858 = getelementptr inbounds double, ptr %821, i64 %853
-  %859 = load double, ptr %858, align 8
-  %860 = getelementptr inbounds double, ptr %822, i64 %853
-  %861 = load double, ptr %860, align 8
-  %862 = tail call double @llvm.fabs.f64(double %855)
-  %863 = tail call double @llvm.fabs.f64(double %857)
-  %864 = fcmp ogt double %862, %863
-  %865 = select i1 %864, double %862, double %863
-  %866 = fmul double %865, %861
-  %867 = fadd double %859, %866
-  %868 = fdiv double 1.000000e+00, %867
-  %869 = getelementptr inbounds double, ptr %823, i64 %853
-  %870 = load double, ptr %869, align 8
-  %871 = fmul double %870, %868
-  %872 = getelementptr inbounds double, ptr %812, i64 %853
-  %873 = load double, ptr %872, align 8
-  %874 = fmul double %873, %868
-  %875 = fmul double %871, %871
-  %876 = fadd double %851, %875
-  %877 = fmul double %874, %874
-  %878 = fadd double %852, %877
-  %879 = add nuw nsw i64 %853, 1
-  %880 = icmp eq i64 %879, %807
-  br i1 %880, label %881, label %850, !llvm.loop !16
+  %856 = fmul double %712, %855
+  %857 = load ptr, ptr %225, align 8
+  %858 = load ptr, ptr %226, align 8
+  %859 = getelementptr inbounds i64, ptr %858, i64 %852
+  %860 = load i64, ptr %859, align 8
+  %861 = getelementptr inbounds double, ptr %857, i64 %860
+  %862 = load ptr, ptr %184, align 8
+  %863 = getelementptr inbounds i8, ptr %862, i64 8
+  %864 = load i64, ptr %863, align 8
+  %865 = icmp sgt i64 %864, 0
+  br i1 %865, label %866, label %878
 
-881:                                              ; preds = %850, %816
-  %882 = phi double [ 0.000000e+00, %816 ], [ %878, %850 ]
-  %883 = phi double [ 0.000000e+00, %816 ], [ %876, %850 ]
-  %884 = load ptr, ptr %133, align 8
-  %885 = getelementptr inbounds i8, ptr %804, i64 8
-  %886 = load i64, ptr %885, align 8
-  %887 = add nsw i64 %886, -3
-  %888 = getelementptr i8, ptr %884, i64 8
-  %889 = getelementptr i8, ptr %884, i64 16
-  %890 = getelementptr i8, ptr %884, i64 24
-  %891 = icmp slt i64 %807, %887
-  br i1 %891, label %899, label %892
+866:                                              ; preds = %847, %866
+  %867 = phi i64 [ %873, %866 ], [ 0, %847 ]
+  %868 = getelementptr inbounds double, ptr %861, i64 %867
+  %869 = load double, ptr %868, align 8
+  %870 = getelementptr inbounds double, ptr %826, i64 %867
+  %871 = load double, ptr %870, align 8
+  %872 = tail call double @llvm.fma.f64(double %856, double %869, double %871)
+  store double %872, ptr %870, align 8
+  %873 = add nuw nsw i64 %867, 1
+  %874 = load ptr, ptr %184, align 8
+  %875 = getelementptr inbounds i8, ptr %874, i64 8
+  %876 = load i64, ptr %875, align 8
+  %877 = icmp slt i64 %873, %876
+  br i1 %877, label %866, label %878, !llvm.loop !15
 
-892:                                              ; preds = %899, %881
-  %893 = phi double [ 0.000000e+00, %881 ], [ %908, %899 ]
-  %894 = phi double [ 0.000000e+00, %881 ], [ %912, %899 ]
-  %895 = phi double [ 0.000000e+00, %881 ], [ %916, %899 ]
-  %896 = phi double [ 0.000000e+00, %881 ], [ %920, %899 ]
-  %897 = phi i64 [ %807, %881 ], [ %921, %899 ]
-  %898 = icmp slt i64 %897, %886
-  br i1 %898, label %923, label %932
+878:                                              ; preds = %866, %847, %825, %821
+  %879 = phi i64 [ %824, %821 ], [ %823, %825 ], [ %823, %847 ], [ %823, %866 ]
+  %880 = icmp eq i64 %879, 0
+  %881 = select i1 %880, i1 %307, i1 false
+  br i1 %881, label %882, label %905
 
-899:                                              ; preds = %881, %899
-  %900 = phi i64 [ %921, %899 ], [ %807, %881 ]
-  %901 = phi double [ %920, %899 ], [ 0.000000e+00, %881 ]
-  %902 = phi double [ %916, %899 ], [ 0.000000e+00, %881 ]
-  %903 = phi double [ %912, %899 ], [ 0.000000e+00, %881 ]
-  %904 = phi double [ %908, %899 ], [ 0.000000e+00, %881 ]
-  %905 = getelementptr inbounds double, ptr %884, i64 %900
-  %906 = load double, ptr %905, align 8
-  %907 = fmul double %906, 0.000000e+00
-  %908 = fadd double %904, %907
-  %909 = getelementptr double, ptr %888, i64 %900
-  %910 = load double, ptr %909, align 8
-  %911 = fmul double %910, 0.000000e+00
-  %912 = fadd double %903, %911
-  %913 = getelementptr double, ptr %889, i64 %900
-  %914 = load double, ptr %913, align 8
-  %915 = fmul double %914, 0.000000e+00
-  %916 = fadd double %902, %915
-  %917 = getelementptr double, ptr %890, i64 %900
-  %918 = load double, ptr %917, align 8
-  %919 = fmul double %918, 0.000000e+00
-  %920 = fadd double %901, %919
-  %921 = add nsw i64 %900, 4
-  %922 = icmp slt i64 %921, %887
-  br i1 %922, label %899, label %892, !llvm.loop !17
+882:                                              ; preds = %878
+  %883 = load i64, ptr %598, align 8
+  %884 = add nsw i64 %883, 1
+  store i64 %884, ptr %598, align 8
+  %885 = load ptr, ptr %228, align 8
+  store double %711, ptr %885, align 8
+  %886 = load ptr, ptr %184, align 8
+  %887 = getelementptr inbounds i8, ptr %886, i64 40
+  %888 = load i64, ptr %887, align 8
+  %889 = icmp eq i64 %888, 0
+  br i1 %889, label %891, label %890
 
-923:                                              ; preds = %892, %923
-  %924 = phi i64 [ %930, %923 ], [ %897, %892 ]
-  %925 = phi double [ %929, %923 ], [ %893, %892 ]
-  %926 = getelementptr inbounds double, ptr %884, i64 %924
-  %927 = load double, ptr %926, align 8
-  %928 = fmul double %927, 0.000000e+00
-  %929 = fadd double %925, %928
-  %930 = add nsw i64 %924, 1
-  %931 = icmp eq i64 %930, %886
-  br i1 %931, label %932, label %923, !llvm.loop !18
+890:                                              ; preds = %882
+  tail call fastcc void @settle(ptr noundef nonnull %184) #11
+  br label %891
 
-932:                                              ; preds = %923, %892
-  %933 = phi double [ %893, %892 ], [ %929, %923 ]
-  %934 = fadd double %894, %933
-  %935 = fadd double %895, %896
-  %936 = fadd double %935, %934
-  %937 = fadd double %883, %936
-  %938 = icmp eq i64 %809, 2
-  br i1 %938, label %939, label %948
+891:                                              ; preds = %890, %882
+  %892 = load i64, ptr %229, align 8
+  %893 = icmp sgt i64 %892, 0
+  br i1 %893, label %894, label %895
 
-939:                                              ; preds = %932
-  %940 = fmul double %882, 1.000000e-02
-  %941 = fadd double %940, %937
-  %942 = sitofp i64 %807 to double
-  %943 = fmul double %941, %942
-  %944 = tail call double @llvm.sqrt.f64(double %943)
-  %945 = fdiv double %937, %944
-  %946 = fcmp une double %937, 0.000000e+00
-  %947 = select i1 %946, double %945, double 0.000000e+00
-  br label %952
+894:                                              ; preds = %891
+  tail call fastcc void @sample(ptr noundef nonnull %184) #11
+  br label %895
 
-948:                                              ; preds = %932
-  %949 = sitofp i64 %807 to double
-  %950 = fdiv double %937, %949
-  %951 = tail call double @llvm.sqrt.f64(double %950)
-  br label %952
+895:                                              ; preds = %891, %894
+  %896 = load ptr, ptr %184, align 8
+  %897 = load i64, ptr %896, align 8
+  %898 = load ptr, ptr %228, align 8
+  %899 = load ptr, ptr %230, align 8
+  %900 = load ptr, ptr %231, align 8
+  %901 = inttoptr i64 %897 to ptr
+  %902 = load ptr, ptr %901, align 8
+  %903 = tail call i32 %902(ptr noundef %898, ptr noundef %289, ptr noundef %899, ptr noundef %900, ptr noundef %322) #10
+  %904 = sext i32 %903 to i64
+  br label %905
 
-952:                                              ; preds = %939, %948
-  %953 = phi double [ %947, %939 ], [ %951, %948 ]
-  %954 = load ptr, ptr %123, align 8
-  %955 = load ptr, ptr %102, align 8
-  %956 = load double, ptr %955, align 8
-  %957 = load i64, ptr %806, align 8
-  %958 = getelementptr inbounds i8, ptr %804, i64 48
-  %959 = load i64, ptr %958, align 8
+905:                                              ; preds = %895, %878
+  %906 = phi i64 [ %904, %895 ], [ %879, %878 ]
+  %907 = icmp slt i64 %906, 0
+  br i1 %907, label %2127, label %908
+
+908:                                              ; preds = %905
+  %909 = icmp eq i64 %906, 0
+  br i1 %909, label %910, label %1252
+
+910:                                              ; preds = %908
+  br i1 %304, label %911, label %912
+
+911:                                              ; preds = %910
+  br i1 %599, label %1201, label %1210
+
+912:                                              ; preds = %910
+  %913 = load ptr, ptr %184, align 8
+  %914 = load ptr, ptr %0, align 8
+  %915 = getelementptr inbounds i8, ptr %913, i64 24
+  %916 = load i64, ptr %915, align 8
+  %917 = getelementptr inbounds i8, ptr %914, i64 8
+  %918 = load i64, ptr %917, align 8
+  %919 = load ptr, ptr %232, align 8
+  %920 = load i64, ptr %233, align 8
+  %921 = getelementptr inbounds double, ptr %919, i64 %920
+  %922 = icmp sgt i64 %918, 0
+  br i1 %922, label %923, label %925
+
+923:                                              ; preds = %912
+  %924 = getelementptr inbounds i8, ptr %913, i64 32
+  br label %933
+
+925:                                              ; preds = %933, %912
+  %926 = icmp sgt i64 %916, 0
+  br i1 %926, label %927, label %990
+
+927:                                              ; preds = %925
+  %928 = load ptr, ptr %185, align 8
+  %929 = load ptr, ptr %239, align 8
+  %930 = load ptr, ptr %240, align 8
+  %931 = load ptr, ptr %241, align 8
+  %932 = load ptr, ptr %232, align 8
+  br label %959
+
+933:                                              ; preds = %923, %933
+  %934 = phi i64 [ 0, %923 ], [ %957, %933 ]
+  %935 = load i64, ptr %914, align 8
+  %936 = load i64, ptr %924, align 8
+  %937 = load ptr, ptr %232, align 8
+  %938 = load i64, ptr %233, align 8
+  %939 = mul nsw i64 %938, %934
+  %940 = getelementptr inbounds double, ptr %937, i64 %939
+  %941 = load ptr, ptr %234, align 8
+  %942 = load ptr, ptr %235, align 8
+  %943 = getelementptr i64, ptr %942, i64 %935
+  %944 = getelementptr i8, ptr %943, i64 8
+  %945 = getelementptr i64, ptr %944, i64 %934
+  %946 = load i64, ptr %945, align 8
+  %947 = getelementptr i8, ptr %945, i64 8
+  %948 = load i64, ptr %947, align 8
+  %949 = xor i64 %946, -1
+  %950 = add i64 %948, %949
+  %951 = load ptr, ptr %211, align 8
+  %952 = load ptr, ptr %236, align 8
+  %953 = load ptr, ptr %237, align 8
+  %954 = getelementptr inbounds i64, ptr %953, i64 %946
+  %955 = load ptr, ptr %238, align 8
+  %956 = getelementptr inbounds double, ptr %955, i64 %946
+  tail call fastcc void @combine(ptr noundef %940, ptr noundef %941, ptr noundef %951, ptr noundef %952, ptr noundef %954, ptr noundef %956, i64 noundef %950, i64 noundef 1, i64 noundef %936) #11
+  %957 = add nuw nsw i64 %934, 1
+  %958 = icmp eq i64 %957, %918
+  br i1 %958, label %925, label %933, !llvm.loop !16
+
+959:                                              ; preds = %927, %959
+  %960 = phi double [ 0.000000e+00, %927 ], [ %985, %959 ]
+  %961 = phi double [ 0.000000e+00, %927 ], [ %987, %959 ]
+  %962 = phi i64 [ 0, %927 ], [ %988, %959 ]
+  %963 = getelementptr inbounds double, ptr %928, i64 %962
+  %964 = load double, ptr %963, align 8
+  %965 = getelementptr inbounds double, ptr %929, i64 %962
+  %966 = load double, ptr %965, align 8
+  %967 = getelementptr inbounds double, ptr %930, i64 %962
+  %968 = load double, ptr %967, align 8
+  %969 = getelementptr inbounds double, ptr %931, i64 %962
+  %970 = load double, ptr %969, align 8
+  %971 = tail call double @llvm.fabs.f64(double %964)
+  %972 = tail call double @llvm.fabs.f64(double %966)
+  %973 = fcmp ogt double %971, %972
+  %974 = select i1 %973, double %971, double %972
+  %975 = fmul double %974, %970
+  %976 = fadd double %968, %975
+  %977 = fdiv double 1.000000e+00, %976
+  %978 = getelementptr inbounds double, ptr %932, i64 %962
+  %979 = load double, ptr %978, align 8
+  %980 = fmul double %979, %977
+  %981 = getelementptr inbounds double, ptr %921, i64 %962
+  %982 = load double, ptr %981, align 8
+  %983 = fmul double %982, %977
+  %984 = fmul double %980, %980
+  %985 = fadd double %960, %984
+  %986 = fmul double %983, %983
+  %987 = fadd double %961, %986
+  %988 = add nuw nsw i64 %962, 1
+  %989 = icmp eq i64 %988, %916
+  br i1 %989, label %990, label %959, !llvm.loop !17
+
+990:                                              ; preds = %959, %925
+  %991 = phi double [ 0.000000e+00, %925 ], [ %987, %959 ]
+  %992 = phi double [ 0.000000e+00, %925 ], [ %985, %959 ]
+  %993 = load ptr, ptr %242, align 8
+  %994 = getelementptr inbounds i8, ptr %913, i64 8
+  %995 = load i64, ptr %994, align 8
+  %996 = add nsw i64 %995, -3
+  %997 = getelementptr i8, ptr %993, i64 8
+  %998 = getelementptr i8, ptr %993, i64 16
+  %999 = getelementptr i8, ptr %993, i64 24
+  %1000 = icmp slt i64 %916, %996
+  br i1 %1000, label %1008, label %1001
+
+1001:                                             ; preds = %1008, %990
+  %1002 = phi double [ 0.000000e+00, %990 ], [ %1017, %1008 ]
+  %1003 = phi double [ 0.000000e+00, %990 ], [ %1021, %1008 ]
+  %1004 = phi double [ 0.000000e+00, %990 ], [ %1025, %1008 ]
+  %1005 = phi double [ 0.000000e+00, %990 ], [ %1029, %1008 ]
+  %1006 = phi i64 [ %916, %990 ], [ %1030, %1008 ]
+  %1007 = icmp slt i64 %1006, %995
+  br i1 %1007, label %1032, label %1041
+
+1008:                                             ; preds = %990, %1008
+  %1009 = phi i64 [ %1030, %1008 ], [ %916, %990 ]
+  %1010 = phi double [ %1029, %1008 ], [ 0.000000e+00, %990 ]
+  %1011 = phi double [ %1025, %1008 ], [ 0.000000e+00, %990 ]
+  %1012 = phi double [ %1021, %1008 ], [ 0.000000e+00, %990 ]
+  %1013 = phi double [ %1017, %1008 ], [ 0.000000e+00, %990 ]
+  %1014 = getelementptr inbounds double, ptr %993, i64 %1009
+  %1015 = load double, ptr %1014, align 8
+  %1016 = fmul double %1015, 0.000000e+00
+  %1017 = fadd double %1013, %1016
+  %1018 = getelementptr double, ptr %997, i64 %1009
+  %1019 = load double, ptr %1018, align 8
+  %1020 = fmul double %1019, 0.000000e+00
+  %1021 = fadd double %1012, %1020
+  %1022 = getelementptr double, ptr %998, i64 %1009
+  %1023 = load double, ptr %1022, align 8
+  %1024 = fmul double %1023, 0.000000e+00
+  %1025 = fadd double %1011, %1024
+  %1026 = getelementptr double, ptr %999, i64 %1009
+  %1027 = load double, ptr %1026, align 8
+  %1028 = fmul double %1027, 0.000000e+00
+  %1029 = fadd double %1010, %1028
+  %1030 = add nsw i64 %1009, 4
+  %1031 = icmp slt i64 %1030, %996
+  br i1 %1031, label %1008, label %1001, !llvm.loop !18
+
+1032:                                             ; preds = %1001, %1032
+  %1033 = phi i64 [ %1039, %1032 ], [ %1006, %1001 ]
+  %1034 = phi double [ %1038, %1032 ], [ %1002, %1001 ]
+  %1035 = getelementptr inbounds double, ptr %993, i64 %1033
+  %1036 = load double, ptr %1035, align 8
+  %1037 = fmul double %1036, 0.000000e+00
+  %1038 = fadd double %1034, %1037
+  %1039 = add nsw i64 %1033, 1
+  %1040 = icmp eq i64 %1039, %995
+  br i1 %1040, label %1041, label %1032, !llvm.loop !19
+
+1041:                                             ; preds = %1032, %1001
+  %1042 = phi double [ %1002, %1001 ], [ %1038, %1032 ]
+  %1043 = fadd double %1003, %1042
+  %1044 = fadd double %1004, %1005
+  %1045 = fadd double %1044, %1043
+  %1046 = fadd double %992, %1045
+  %1047 = icmp eq i64 %918, 2
+  br i1 %1047, label %1048, label %1057
+
+1048:                                             ; preds = %1041
+  %1049 = fmul double %991, 1.000000e-02
+  %1050 = fadd double %1049, %1046
+  %1051 = sitofp i64 %916 to double
+  %1052 = fmul double %1050, %1051
+  %1053 = tail call double @llvm.sqrt.f64(double %1052)
+  %1054 = fdiv double %1046, %1053
+  %1055 = fcmp une double %1046, 0.000000e+00
+  %1056 = select i1 %1055, double %1054, double 0.000000e+00
+  br label %1061
+
+1057:                                             ; preds = %1041
+  %1058 = sitofp i64 %916 to double
+  %1059 = fdiv double %1046, %1058
+  %1060 = tail call double @llvm.sqrt.f64(double %1059)
+  br label %1061
+
+1061:                                             ; preds = %1048, %1057
+  %1062 = phi double [ %1056, %1048 ], [ %1060, %1057 ]
+  %1063 = load ptr, ptr %232, align 8
+  %1064 = load ptr, ptr %211, align 8
+  %1065 = load double, ptr %1064, align 8
+  %1066 = load i64, ptr %915, align 8
+  %1067 = getelementptr inbounds i8, ptr %913, i64 48
+  %1068 = load i64, ptr %1067, align 8
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(64) %4, i8 0, i64 64, i1 false)
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(64) %5, i8 0, i64 64, i1 false)
-  %960 = icmp eq i64 %959, 0
-  br i1 %960, label %1090, label %961
+  %1069 = icmp eq i64 %1068, 0
+  br i1 %1069, label %1199, label %1070
 
-961:                                              ; preds = %952
-  br i1 %938, label %962, label %964
+1070:                                             ; preds = %1061
+  br i1 %1047, label %1071, label %1073
 
-962:                                              ; preds = %961
-  %963 = load i64, ptr %124, align 8
-  br label %964
+1071:                                             ; preds = %1070
+  %1072 = load i64, ptr %233, align 8
+  br label %1073
 
-964:                                              ; preds = %962, %961
-  %965 = phi i64 [ %963, %962 ], [ 0, %961 ]
-  %966 = getelementptr inbounds double, ptr %954, i64 %965
-  %967 = add nsw i64 %957, 7
-  %968 = sdiv i64 %967, 8
-  %969 = shl nsw i64 %968, 3
-  %970 = tail call i64 @llvm.smin.i64(i64 %969, i64 %959)
-  %971 = icmp slt i64 %957, %970
-  br i1 %971, label %972, label %1010
+1073:                                             ; preds = %1071, %1070
+  %1074 = phi i64 [ %1072, %1071 ], [ 0, %1070 ]
+  %1075 = getelementptr inbounds double, ptr %1063, i64 %1074
+  %1076 = add nsw i64 %1066, 7
+  %1077 = sdiv i64 %1076, 8
+  %1078 = shl nsw i64 %1077, 3
+  %1079 = tail call i64 @llvm.smin.i64(i64 %1078, i64 %1068)
+  %1080 = icmp slt i64 %1066, %1079
+  br i1 %1080, label %1081, label %1119
 
-972:                                              ; preds = %964
-  %973 = load ptr, ptr %76, align 8
-  %974 = load ptr, ptr %134, align 8
-  %975 = load ptr, ptr %135, align 8
-  br label %976
+1081:                                             ; preds = %1073
+  %1082 = load ptr, ptr %185, align 8
+  %1083 = load ptr, ptr %243, align 8
+  %1084 = load ptr, ptr %244, align 8
+  br label %1085
 
-976:                                              ; preds = %972, %976
-  %977 = phi i64 [ %957, %972 ], [ %1008, %976 ]
-  %978 = getelementptr inbounds double, ptr %973, i64 %977
-  %979 = load double, ptr %978, align 8
-  %980 = tail call double @llvm.fabs.f64(double %979)
-  %981 = getelementptr inbounds double, ptr %884, i64 %977
-  %982 = load double, ptr %981, align 8
-  %983 = tail call double @llvm.fabs.f64(double %982)
-  %984 = fcmp ogt double %980, %983
-  %985 = select i1 %984, double %980, double %983
-  %986 = getelementptr inbounds double, ptr %974, i64 %977
-  %987 = load double, ptr %986, align 8
-  %988 = getelementptr inbounds double, ptr %975, i64 %977
-  %989 = load double, ptr %988, align 8
-  %990 = fmul double %985, %989
-  %991 = fadd double %987, %990
-  %992 = fdiv double 1.000000e+00, %991
-  %993 = getelementptr inbounds double, ptr %954, i64 %977
-  %994 = load double, ptr %993, align 8
-  %995 = fmul double %994, %992
-  %996 = getelementptr inbounds double, ptr %966, i64 %977
-  %997 = load double, ptr %996, align 8
-  %998 = fmul double %997, %992
-  %999 = srem i64 %977, 8
-  %1000 = getelementptr inbounds double, ptr %4, i64 %999
-  %1001 = load double, ptr %1000, align 8
-  %1002 = fmul double %995, %995
-  %1003 = fadd double %1001, %1002
-  store double %1003, ptr %1000, align 8
-  %1004 = getelementptr inbounds double, ptr %5, i64 %999
-  %1005 = load double, ptr %1004, align 8
-  %1006 = fmul double %998, %998
-  %1007 = fadd double %1005, %1006
-  store double %1007, ptr %1004, align 8
-  %1008 = add nsw i64 %977, 1
-  %1009 = icmp eq i64 %1008, %970
-  br i1 %1009, label %1010, label %976, !llvm.loop !19
-
-1010:                                             ; preds = %976, %964
-  %1011 = phi i64 [ %957, %964 ], [ %1008, %976 ]
-  %1012 = load <8 x double>, ptr %4, align 16
-  %1013 = load <8 x double>, ptr %5, align 16
-  %1014 = icmp slt i64 %1011, %959
-  br i1 %1014, label %1015, label %1054
-
-1015:                                             ; preds = %1010
-  %1016 = load ptr, ptr %76, align 8
-  %1017 = load ptr, ptr %136, align 8
-  %1018 = load ptr, ptr %137, align 8
-  br label %1019
-
-1019:                                             ; preds = %1015, %1019
-  %1020 = phi i64 [ %1011, %1015 ], [ %1052, %1019 ]
-  %1021 = phi <8 x double> [ %1012, %1015 ], [ %1049, %1019 ]
-  %1022 = phi <8 x double> [ %1013, %1015 ], [ %1051, %1019 ]
-  %1023 = getelementptr inbounds double, ptr %1016, i64 %1020
-  %1024 = load <8 x double>, ptr %1023, align 8
-  %1025 = fneg <8 x double> %1024
-  %1026 = fcmp ogt <8 x double> %1024, zeroinitializer
-  %1027 = select <8 x i1> %1026, <8 x double> %1024, <8 x double> %1025
-  %1028 = getelementptr inbounds double, ptr %884, i64 %1020
-  %1029 = load <8 x double>, ptr %1028, align 8
-  %1030 = fneg <8 x double> %1029
-  %1031 = fcmp ogt <8 x double> %1029, zeroinitializer
-  %1032 = select <8 x i1> %1031, <8 x double> %1029, <8 x double> %1030
-  %1033 = fcmp ogt <8 x double> %1027, %1032
-  %1034 = select <8 x i1> %1033, <8 x double> %1027, <8 x double> %1032
-  %1035 = getelementptr inbounds double, ptr %1017, i64 %1020
-  %1036 = load <8 x double>, ptr %1035, align 8
-  %1037 = getelementptr inbounds double, ptr %1018, i64 %1020
-  %1038 = load <8 x double>, ptr %1037, align 8
-  %1039 = fmul <8 x double> %1038, %1034
-  %1040 = fadd <8 x double> %1036, %1039
-  %1041 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %1040
-  %1042 = getelementptr inbounds double, ptr %954, i64 %1020
-  %1043 = load <8 x double>, ptr %1042, align 8
-  %1044 = fmul <8 x double> %1043, %1041
-  %1045 = getelementptr inbounds double, ptr %966, i64 %1020
-  %1046 = load <8 x double>, ptr %1045, align 8
-  %1047 = fmul <8 x double> %1046, %1041
-  %1048 = fmul <8 x double> %1044, %1044
-  %1049 = fadd <8 x double> %1021, %1048
-  %1050 = fmul <8 x double> %1047, %1047
-  %1051 = fadd <8 x double> %1022, %1050
-  %1052 = add nsw i64 %1020, 8
-  %1053 = icmp slt i64 %1052, %959
-  br i1 %1053, label %1019, label %1054, !llvm.loop !20
-
-1054:                                             ; preds = %1019, %1010
-  %1055 = phi <8 x double> [ %1013, %1010 ], [ %1051, %1019 ]
-  %1056 = phi <8 x double> [ %1012, %1010 ], [ %1049, %1019 ]
-  store <8 x double> %1056, ptr %4, align 16
-  store <8 x double> %1055, ptr %5, align 16
-  br label %1078
-
-1057:                                             ; preds = %1078
-  %1058 = sub nsw i64 %959, %957
-  br i1 %938, label %1059, label %1068
-
-1059:                                             ; preds = %1057
-  %1060 = fmul double %1087, 1.000000e-02
-  %1061 = fadd double %1084, %1060
-  %1062 = sitofp i64 %1058 to double
-  %1063 = fmul double %1061, %1062
-  %1064 = tail call double @llvm.sqrt.f64(double %1063)
-  %1065 = fdiv double %1084, %1064
-  %1066 = fcmp une double %1084, 0.000000e+00
-  %1067 = select i1 %1066, double %1065, double 0.000000e+00
-  br label %1072
-
-1068:                                             ; preds = %1057
-  %1069 = sitofp i64 %1058 to double
-  %1070 = fdiv double %1084, %1069
-  %1071 = tail call double @llvm.sqrt.f64(double %1070)
-  br label %1072
-
-1072:                                             ; preds = %1068, %1059
-  %1073 = phi double [ %1067, %1059 ], [ %1071, %1068 ]
-  %1074 = fcmp ule double %956, %209
-  %1075 = fcmp ogt double %1073, %953
-  %1076 = select i1 %1075, double %1073, double %953
-  %1077 = select i1 %1074, double %953, double %1076
-  br label %1090
-
-1078:                                             ; preds = %1054, %1078
-  %1079 = phi i64 [ 0, %1054 ], [ %1088, %1078 ]
-  %1080 = phi double [ 0.000000e+00, %1054 ], [ %1087, %1078 ]
-  %1081 = phi double [ 0.000000e+00, %1054 ], [ %1084, %1078 ]
-  %1082 = getelementptr inbounds double, ptr %4, i64 %1079
-  %1083 = load double, ptr %1082, align 8
-  %1084 = fadd double %1081, %1083
-  %1085 = getelementptr inbounds double, ptr %5, i64 %1079
-  %1086 = load double, ptr %1085, align 8
-  %1087 = fadd double %1080, %1086
-  %1088 = add nuw nsw i64 %1079, 1
-  %1089 = icmp eq i64 %1088, 8
-  br i1 %1089, label %1057, label %1078, !llvm.loop !21
-
-1090:                                             ; preds = %952, %1072
-  %1091 = phi double [ %1077, %1072 ], [ %953, %952 ]
-  br label %1101
-
-1092:                                             ; preds = %802, %1092
-  %1093 = phi i64 [ %1099, %1092 ], [ 0, %802 ]
-  %1094 = phi double [ %1098, %1092 ], [ 0.000000e+00, %802 ]
-  %1095 = getelementptr inbounds double, ptr %180, i64 %1093
+1085:                                             ; preds = %1081, %1085
+  %1086 = phi i64 [ %1066, %1081 ], [ %1117, %1085 ]
+  %1087 = getelementptr inbounds double, ptr %1082, i64 %1086
+  %1088 = load double, ptr %1087, align 8
+  %1089 = tail call double @llvm.fabs.f64(double %1088)
+  %1090 = getelementptr inbounds double, ptr %993, i64 %1086
+  %1091 = load double, ptr %1090, align 8
+  %1092 = tail call double @llvm.fabs.f64(double %1091)
+  %1093 = fcmp ogt double %1089, %1092
+  %1094 = select i1 %1093, double %1089, double %1092
+  %1095 = getelementptr inbounds double, ptr %1083, i64 %1086
   %1096 = load double, ptr %1095, align 8
-  %1097 = fmul double %1096, 0.000000e+00
-  %1098 = fadd double %1094, %1097
-  %1099 = add nuw nsw i64 %1093, 1
-  %1100 = icmp eq i64 %1099, %189
-  br i1 %1100, label %1101, label %1092, !llvm.loop !22
+  %1097 = getelementptr inbounds double, ptr %1084, i64 %1086
+  %1098 = load double, ptr %1097, align 8
+  %1099 = fmul double %1094, %1098
+  %1100 = fadd double %1096, %1099
+  %1101 = fdiv double 1.000000e+00, %1100
+  %1102 = getelementptr inbounds double, ptr %1063, i64 %1086
+  %1103 = load double, ptr %1102, align 8
+  %1104 = fmul double %1103, %1101
+  %1105 = getelementptr inbounds double, ptr %1075, i64 %1086
+  %1106 = load double, ptr %1105, align 8
+  %1107 = fmul double %1106, %1101
+  %1108 = srem i64 %1086, 8
+  %1109 = getelementptr inbounds double, ptr %4, i64 %1108
+  %1110 = load double, ptr %1109, align 8
+  %1111 = fmul double %1104, %1104
+  %1112 = fadd double %1110, %1111
+  store double %1112, ptr %1109, align 8
+  %1113 = getelementptr inbounds double, ptr %5, i64 %1108
+  %1114 = load double, ptr %1113, align 8
+  %1115 = fmul double %1107, %1107
+  %1116 = fadd double %1114, %1115
+  store double %1116, ptr %1113, align 8
+  %1117 = add nsw i64 %1086, 1
+  %1118 = icmp eq i64 %1117, %1079
+  br i1 %1118, label %1119, label %1085, !llvm.loop !20
 
-1101:                                             ; preds = %1092, %802, %1090
-  %1102 = phi double [ %1091, %1090 ], [ 0.000000e+00, %802 ], [ %1098, %1092 ]
-  %1103 = fcmp uge double %1102, 1.000000e+00
-  %1104 = select i1 %1103, i1 true, i1 %491
-  br i1 %1104, label %1143, label %1105
+1119:                                             ; preds = %1085, %1073
+  %1120 = phi i64 [ %1066, %1073 ], [ %1117, %1085 ]
+  %1121 = load <8 x double>, ptr %4, align 16
+  %1122 = load <8 x double>, ptr %5, align 16
+  %1123 = icmp slt i64 %1120, %1068
+  br i1 %1123, label %1124, label %1163
 
-1105:                                             ; preds = %1101
-  br i1 %192, label %1117, label %1106
-
-1106:                                             ; preds = %1105
-  br i1 %195, label %1109, label %1107
-
-1107:                                             ; preds = %1106
-  %1108 = load ptr, ptr %76, align 8
-  br label %1109
-
-1109:                                             ; preds = %1107, %1106
-  %1110 = phi ptr [ %1108, %1107 ], [ null, %1106 ]
-  %1111 = load ptr, ptr %83, align 8
-  %1112 = getelementptr inbounds i8, ptr %1111, i64 56
-  %1113 = load i64, ptr %1112, align 8
-  %1114 = inttoptr i64 %1113 to ptr
-  %1115 = tail call i64 %1114(ptr noundef %0, double noundef %602, ptr noundef %180, ptr noundef %1110) #11
-  %1116 = icmp ne i64 %1115, 0
-  br label %1117
-
-1117:                                             ; preds = %1109, %1105
-  %1118 = phi i1 [ false, %1105 ], [ %1116, %1109 ]
-  br i1 %1118, label %1143, label %1119
-
-1119:                                             ; preds = %1117
-  %1120 = load i64, ptr %489, align 8
-  %1121 = add nsw i64 %1120, 1
-  store i64 %1121, ptr %489, align 8
-  %1122 = load ptr, ptr %138, align 8
-  store double %602, ptr %1122, align 8
-  %1123 = load ptr, ptr %75, align 8
-  %1124 = getelementptr inbounds i8, ptr %1123, i64 40
-  %1125 = load i64, ptr %1124, align 8
-  %1126 = icmp eq i64 %1125, 0
-  br i1 %1126, label %1128, label %1127
-
-1127:                                             ; preds = %1119
-  tail call fastcc void @settle(ptr noundef nonnull %75) #10
+1124:                                             ; preds = %1119
+  %1125 = load ptr, ptr %185, align 8
+  %1126 = load ptr, ptr %245, align 8
+  %1127 = load ptr, ptr %246, align 8
   br label %1128
 
-1128:                                             ; preds = %1127, %1119
-  %1129 = load i64, ptr %139, align 8
-  %1130 = icmp sgt i64 %1129, 0
-  br i1 %1130, label %1131, label %1132
+1128:                                             ; preds = %1124, %1128
+  %1129 = phi i64 [ %1120, %1124 ], [ %1161, %1128 ]
+  %1130 = phi <8 x double> [ %1121, %1124 ], [ %1158, %1128 ]
+  %1131 = phi <8 x double> [ %1122, %1124 ], [ %1160, %1128 ]
+  %1132 = getelementptr inbounds double, ptr %1125, i64 %1129
+  %1133 = load <8 x double>, ptr %1132, align 8
+  %1134 = fneg <8 x double> %1133
+  %1135 = fcmp ogt <8 x double> %1133, zeroinitializer
+  %1136 = select <8 x i1> %1135, <8 x double> %1133, <8 x double> %1134
+  %1137 = getelementptr inbounds double, ptr %993, i64 %1129
+  %1138 = load <8 x double>, ptr %1137, align 8
+  %1139 = fneg <8 x double> %1138
+  %1140 = fcmp ogt <8 x double> %1138, zeroinitializer
+  %1141 = select <8 x i1> %1140, <8 x double> %1138, <8 x double> %1139
+  %1142 = fcmp ogt <8 x double> %1136, %1141
+  %1143 = select <8 x i1> %1142, <8 x double> %1136, <8 x double> %1141
+  %1144 = getelementptr inbounds double, ptr %1126, i64 %1129
+  %1145 = load <8 x double>, ptr %1144, align 8
+  %1146 = getelementptr inbounds double, ptr %1127, i64 %1129
+  %1147 = load <8 x double>, ptr %1146, align 8
+  %1148 = fmul <8 x double> %1147, %1143
+  %1149 = fadd <8 x double> %1145, %1148
+  %1150 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %1149
+  %1151 = getelementptr inbounds double, ptr %1063, i64 %1129
+  %1152 = load <8 x double>, ptr %1151, align 8
+  %1153 = fmul <8 x double> %1152, %1150
+  %1154 = getelementptr inbounds double, ptr %1075, i64 %1129
+  %1155 = load <8 x double>, ptr %1154, align 8
+  %1156 = fmul <8 x double> %1155, %1150
+  %1157 = fmul <8 x double> %1153, %1153
+  %1158 = fadd <8 x double> %1130, %1157
+  %1159 = fmul <8 x double> %1156, %1156
+  %1160 = fadd <8 x double> %1131, %1159
+  %1161 = add nsw i64 %1129, 8
+  %1162 = icmp slt i64 %1161, %1068
+  br i1 %1162, label %1128, label %1163, !llvm.loop !21
 
-1131:                                             ; preds = %1128
-  tail call fastcc void @sample(ptr noundef nonnull %75) #10
-  br label %1132
+1163:                                             ; preds = %1128, %1119
+  %1164 = phi <8 x double> [ %1122, %1119 ], [ %1160, %1128 ]
+  %1165 = phi <8 x double> [ %1121, %1119 ], [ %1158, %1128 ]
+  store <8 x double> %1165, ptr %4, align 16
+  store <8 x double> %1164, ptr %5, align 16
+  br label %1187
 
-1132:                                             ; preds = %1128, %1131
-  %1133 = load ptr, ptr %75, align 8
-  %1134 = load i64, ptr %1133, align 8
-  %1135 = load ptr, ptr %138, align 8
-  %1136 = load ptr, ptr %140, align 8
-  %1137 = load ptr, ptr %141, align 8
-  %1138 = inttoptr i64 %1134 to ptr
-  %1139 = load ptr, ptr %1138, align 8
-  %1140 = tail call i32 %1139(ptr noundef %1135, ptr noundef %180, ptr noundef %1136, ptr noundef %1137, ptr noundef %213) #11
-  %1141 = sext i32 %1140 to i64
-  %1142 = icmp slt i32 %1140, 0
-  br i1 %1142, label %2018, label %1143
+1166:                                             ; preds = %1187
+  %1167 = sub nsw i64 %1068, %1066
+  br i1 %1047, label %1168, label %1177
 
-1143:                                             ; preds = %1132, %1117, %1101, %799
-  %1144 = phi i64 [ 0, %1117 ], [ %1141, %1132 ], [ 0, %1101 ], [ %797, %799 ]
-  %1145 = phi double [ %1102, %1117 ], [ %1102, %1132 ], [ %1102, %1101 ], [ 0.000000e+00, %799 ]
-  %1146 = phi i1 [ %1118, %1117 ], [ %1118, %1132 ], [ false, %1101 ], [ false, %799 ]
-  %1147 = icmp ne i64 %1144, 0
-  %1148 = fcmp uge double %1145, 1.000000e+00
-  %1149 = or i1 %1147, %1148
-  %1150 = or i1 %1146, %1149
-  br i1 %1150, label %1151, label %1233
+1168:                                             ; preds = %1166
+  %1169 = fmul double %1196, 1.000000e-02
+  %1170 = fadd double %1193, %1169
+  %1171 = sitofp i64 %1167 to double
+  %1172 = fmul double %1170, %1171
+  %1173 = tail call double @llvm.sqrt.f64(double %1172)
+  %1174 = fdiv double %1193, %1173
+  %1175 = fcmp une double %1193, 0.000000e+00
+  %1176 = select i1 %1175, double %1174, double 0.000000e+00
+  br label %1181
 
-1151:                                             ; preds = %1143
-  %1152 = load i64, ptr %485, align 8
-  %1153 = add nsw i64 %1152, 1
-  store i64 %1153, ptr %485, align 8
-  %1154 = or i1 %1147, %1146
-  br i1 %1154, label %1158, label %1155
+1177:                                             ; preds = %1166
+  %1178 = sitofp i64 %1167 to double
+  %1179 = fdiv double %1193, %1178
+  %1180 = tail call double @llvm.sqrt.f64(double %1179)
+  br label %1181
 
-1155:                                             ; preds = %1151
-  %1156 = tail call double @llvm.fabs.f64(double %1145)
-  %1157 = fcmp one double %1156, 0x7FF0000000000000
-  br label %1158
+1181:                                             ; preds = %1177, %1168
+  %1182 = phi double [ %1176, %1168 ], [ %1180, %1177 ]
+  %1183 = fcmp ule double %1065, %318
+  %1184 = fcmp ogt double %1182, %1062
+  %1185 = select i1 %1184, double %1182, double %1062
+  %1186 = select i1 %1183, double %1062, double %1185
+  br label %1199
 
-1158:                                             ; preds = %1155, %1151
-  %1159 = phi i1 [ false, %1151 ], [ %1157, %1155 ]
-  %1160 = select i1 %1159, i64 2, i64 4
-  %1161 = select i1 %1146, i64 6, i64 %1160
-  %1162 = select i1 %1147, i64 3, i64 %1161
-  store i64 %1162, ptr %508, align 8
-  %1163 = fcmp ogt double %1145, 1.000000e-10
-  %1164 = select i1 %1163, double %1145, double 1.000000e-10
-  %1165 = load double, ptr %509, align 8
-  %1166 = load double, ptr %187, align 8
-  %1167 = fneg double %1166
-  %1168 = bitcast double %1164 to i64
-  %1169 = add nsw i64 %1168, -4604544271217802189
-  %1170 = ashr i64 %1169, 52
-  %1171 = and i64 %1169, -4503599627370496
-  %1172 = sub nsw i64 %1168, %1171
-  %1173 = bitcast i64 %1172 to double
-  %1174 = fadd double %1173, -1.000000e+00
-  %1175 = fadd double %1173, 1.000000e+00
-  %1176 = fdiv double %1174, %1175
-  %1177 = fmul double %1176, %1176
-  %1178 = tail call double @llvm.fma.f64(double %1177, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
-  %1179 = tail call double @llvm.fma.f64(double %1178, double %1177, double 0x3FE2776C50EF9BFE)
-  %1180 = tail call double @llvm.fma.f64(double %1179, double %1177, double 0x3FEEC709DC3A03FD)
-  %1181 = tail call double @llvm.fma.f64(double %1180, double %1177, double 0x40071547652B82FE)
-  %1182 = trunc nsw i64 %1170 to i32
-  %1183 = sitofp i32 %1182 to double
-  %1184 = fmul double %1176, %1181
-  %1185 = fadd double %1184, %1183
-  %1186 = fmul double %1185, %1167
-  %1187 = fcmp ogt double %1186, -1.000000e+03
-  %1188 = select i1 %1187, double %1186, double -1.000000e+03
-  %1189 = fcmp olt double %1188, 1.000000e+03
-  %1190 = select i1 %1189, double %1188, double 1.000000e+03
-  %1191 = tail call double @llvm.rint.f64(double %1190)
-  %1192 = fsub double %1190, %1191
-  %1193 = tail call double @llvm.fma.f64(double %1192, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
-  %1194 = tail call double @llvm.fma.f64(double %1193, double %1192, double 0x3F55D87FE78A6730)
-  %1195 = tail call double @llvm.fma.f64(double %1194, double %1192, double 0x3F83B2AB6FBA4E77)
-  %1196 = tail call double @llvm.fma.f64(double %1195, double %1192, double 0x3FAC6B08D704A0BF)
-  %1197 = tail call double @llvm.fma.f64(double %1196, double %1192, double 0x3FCEBFBDFF82C58E)
-  %1198 = tail call double @llvm.fma.f64(double %1197, double %1192, double 0x3FE62E42FEFA39EF)
-  %1199 = tail call double @llvm.fma.f64(double %1198, double %1192, double 1.000000e+00)
-  %1200 = bitcast double %1199 to i64
-  %1201 = fptosi double %1191 to i32
-  %1202 = sext i32 %1201 to i64
-  %1203 = shl nsw i64 %1202, 52
-  %1204 = add nsw i64 %1203, %1200
-  %1205 = bitcast i64 %1204 to double
-  %1206 = fmul double %1165, %1205
-  %1207 = load double, ptr %510, align 8
-  %1208 = fcmp ogt double %1206, %1207
-  %1209 = select i1 %1208, double %1206, double %1207
-  %1210 = select i1 %1159, double %1209, double 2.500000e-01
-  %1211 = fmul double %603, %1210
-  br i1 %1159, label %1212, label %1229
+1187:                                             ; preds = %1163, %1187
+  %1188 = phi i64 [ 0, %1163 ], [ %1197, %1187 ]
+  %1189 = phi double [ 0.000000e+00, %1163 ], [ %1196, %1187 ]
+  %1190 = phi double [ 0.000000e+00, %1163 ], [ %1193, %1187 ]
+  %1191 = getelementptr inbounds double, ptr %4, i64 %1188
+  %1192 = load double, ptr %1191, align 8
+  %1193 = fadd double %1190, %1192
+  %1194 = getelementptr inbounds double, ptr %5, i64 %1188
+  %1195 = load double, ptr %1194, align 8
+  %1196 = fadd double %1189, %1195
+  %1197 = add nuw nsw i64 %1188, 1
+  %1198 = icmp eq i64 %1197, 8
+  br i1 %1198, label %1166, label %1187, !llvm.loop !22
 
-1212:                                             ; preds = %1158
-  %1213 = load i64, ptr %176, align 8
-  %1214 = icmp eq i64 %1213, 0
-  br i1 %1214, label %1229, label %1215
+1199:                                             ; preds = %1061, %1181
+  %1200 = phi double [ %1186, %1181 ], [ %1062, %1061 ]
+  br label %1210
 
-1215:                                             ; preds = %1212
-  %1216 = tail call fastcc double @knot_after(ptr noundef nonnull %75, double noundef %517) #10
-  %1217 = fmul double %603, 1.000000e-03
-  %1218 = fsub double %602, %1217
-  %1219 = tail call double @llvm.fabs.f64(double %602)
-  %1220 = fmul double %1219, 0x3D10000000000000
-  %1221 = fsub double %1218, %1220
-  %1222 = fcmp ogt double %1221, %1216
-  br i1 %1222, label %1223, label %1229
+1201:                                             ; preds = %911, %1201
+  %1202 = phi i64 [ %1208, %1201 ], [ 0, %911 ]
+  %1203 = phi double [ %1207, %1201 ], [ 0.000000e+00, %911 ]
+  %1204 = getelementptr inbounds double, ptr %289, i64 %1202
+  %1205 = load double, ptr %1204, align 8
+  %1206 = fmul double %1205, 0.000000e+00
+  %1207 = fadd double %1203, %1206
+  %1208 = add nuw nsw i64 %1202, 1
+  %1209 = icmp eq i64 %1208, %298
+  br i1 %1209, label %1210, label %1201, !llvm.loop !23
 
-1223:                                             ; preds = %1215
-  %1224 = tail call fastcc double @knot_after(ptr noundef nonnull %75, double noundef %1216) #10
-  %1225 = fadd double %517, %1211
-  %1226 = fcmp ugt double %1224, %1225
-  br i1 %1226, label %1227, label %1229
+1210:                                             ; preds = %1201, %911, %1199
+  %1211 = phi double [ %1200, %1199 ], [ 0.000000e+00, %911 ], [ %1207, %1201 ]
+  %1212 = fcmp uge double %1211, 1.000000e+00
+  %1213 = select i1 %1212, i1 true, i1 %600
+  br i1 %1213, label %1252, label %1214
 
-1227:                                             ; preds = %1223
-  %1228 = fsub double %1216, %517
-  br label %1229
+1214:                                             ; preds = %1210
+  br i1 %301, label %1226, label %1215
 
-1229:                                             ; preds = %1227, %1223, %1215, %1212, %1158
-  %1230 = phi double [ %1211, %1158 ], [ %1211, %1212 ], [ %1228, %1227 ], [ %1211, %1223 ], [ %1211, %1215 ]
-  br i1 %195, label %1231, label %1232
+1215:                                             ; preds = %1214
+  br i1 %304, label %1218, label %1216
 
-1231:                                             ; preds = %1229
-  store double %603, ptr %215, align 8
-  br label %2018
+1216:                                             ; preds = %1215
+  %1217 = load ptr, ptr %185, align 8
+  br label %1218
 
-1232:                                             ; preds = %1229
-  store double 1.000000e+00, ptr %511, align 8
-  br label %2018, !llvm.loop !23
+1218:                                             ; preds = %1216, %1215
+  %1219 = phi ptr [ %1217, %1216 ], [ null, %1215 ]
+  %1220 = load ptr, ptr %192, align 8
+  %1221 = getelementptr inbounds i8, ptr %1220, i64 56
+  %1222 = load i64, ptr %1221, align 8
+  %1223 = inttoptr i64 %1222 to ptr
+  %1224 = tail call i64 %1223(ptr noundef %0, double noundef %711, ptr noundef %289, ptr noundef %1219) #10
+  %1225 = icmp ne i64 %1224, 0
+  br label %1226
 
-1233:                                             ; preds = %1143
-  %1234 = load i64, ptr %484, align 8
-  %1235 = add nsw i64 %1234, 1
-  store i64 %1235, ptr %484, align 8
-  store double %602, ptr %179, align 8
-  store double %603, ptr %492, align 8
-  %1236 = load ptr, ptr %98, align 8
-  %1237 = getelementptr inbounds i8, ptr %1236, i64 8
-  %1238 = load i64, ptr %1237, align 8
-  %1239 = icmp eq i64 %1238, 0
-  br i1 %1239, label %1269, label %1240
+1226:                                             ; preds = %1218, %1214
+  %1227 = phi i1 [ false, %1214 ], [ %1225, %1218 ]
+  br i1 %1227, label %1252, label %1228
 
-1240:                                             ; preds = %1233
-  %1241 = load i64, ptr %1236, align 8
-  %1242 = load ptr, ptr %75, align 8
-  %1243 = getelementptr inbounds i8, ptr %1242, i64 8
-  %1244 = load i64, ptr %1243, align 8
-  %1245 = load ptr, ptr %142, align 8
-  %1246 = load i64, ptr %143, align 8
-  %1247 = mul nsw i64 %1246, %1241
-  %1248 = getelementptr inbounds double, ptr %1245, i64 %1247
-  %1249 = getelementptr inbounds double, ptr %1248, i64 %1246
-  store double %517, ptr %1248, align 8
-  %1250 = getelementptr inbounds i8, ptr %1248, i64 8
-  store double %603, ptr %1250, align 8
-  store double %602, ptr %1249, align 8
-  %1251 = getelementptr inbounds i8, ptr %1249, i64 8
-  store double 0.000000e+00, ptr %1251, align 8
-  %1252 = icmp sgt i64 %1244, 0
-  br i1 %1252, label %1256, label %1253
+1228:                                             ; preds = %1226
+  %1229 = load i64, ptr %598, align 8
+  %1230 = add nsw i64 %1229, 1
+  store i64 %1230, ptr %598, align 8
+  %1231 = load ptr, ptr %247, align 8
+  store double %711, ptr %1231, align 8
+  %1232 = load ptr, ptr %184, align 8
+  %1233 = getelementptr inbounds i8, ptr %1232, i64 40
+  %1234 = load i64, ptr %1233, align 8
+  %1235 = icmp eq i64 %1234, 0
+  br i1 %1235, label %1237, label %1236
 
-1253:                                             ; preds = %1256, %1240
-  %1254 = add nsw i64 %1241, 1
-  %1255 = load ptr, ptr %98, align 8
-  store i64 %1254, ptr %1255, align 8
-  br label %1269
+1236:                                             ; preds = %1228
+  tail call fastcc void @settle(ptr noundef nonnull %184) #11
+  br label %1237
 
-1256:                                             ; preds = %1240, %1256
-  %1257 = phi i64 [ %1267, %1256 ], [ 0, %1240 ]
-  %1258 = load ptr, ptr %76, align 8
-  %1259 = getelementptr inbounds double, ptr %1258, i64 %1257
-  %1260 = load double, ptr %1259, align 8
-  %1261 = add nuw nsw i64 %1257, 2
-  %1262 = getelementptr inbounds double, ptr %1248, i64 %1261
-  store double %1260, ptr %1262, align 8
-  %1263 = load ptr, ptr %78, align 8
-  %1264 = getelementptr inbounds double, ptr %1263, i64 %1257
-  %1265 = load double, ptr %1264, align 8
-  %1266 = getelementptr inbounds double, ptr %1249, i64 %1261
-  store double %1265, ptr %1266, align 8
-  %1267 = add nuw nsw i64 %1257, 1
-  %1268 = icmp eq i64 %1267, %1244
-  br i1 %1268, label %1253, label %1256, !llvm.loop !24
+1237:                                             ; preds = %1236, %1228
+  %1238 = load i64, ptr %248, align 8
+  %1239 = icmp sgt i64 %1238, 0
+  br i1 %1239, label %1240, label %1241
 
-1269:                                             ; preds = %1233, %1253
-  br i1 %202, label %1270, label %1380
+1240:                                             ; preds = %1237
+  tail call fastcc void @sample(ptr noundef nonnull %184) #11
+  br label %1241
 
-1270:                                             ; preds = %1269
-  %1271 = load ptr, ptr %84, align 8
-  %1272 = load i64, ptr %82, align 8
-  %1273 = load ptr, ptr %144, align 8
-  %1274 = getelementptr inbounds i8, ptr %1271, i64 32
-  %1275 = load i64, ptr %1274, align 8
-  %1276 = getelementptr inbounds double, ptr %1273, i64 %1275
-  %1277 = getelementptr inbounds i8, ptr %1271, i64 24
-  %1278 = load i64, ptr %1277, align 8
-  %1279 = icmp eq i64 %1278, 0
-  br i1 %1279, label %1377, label %1280
+1241:                                             ; preds = %1237, %1240
+  %1242 = load ptr, ptr %184, align 8
+  %1243 = load i64, ptr %1242, align 8
+  %1244 = load ptr, ptr %247, align 8
+  %1245 = load ptr, ptr %249, align 8
+  %1246 = load ptr, ptr %250, align 8
+  %1247 = inttoptr i64 %1243 to ptr
+  %1248 = load ptr, ptr %1247, align 8
+  %1249 = tail call i32 %1248(ptr noundef %1244, ptr noundef %289, ptr noundef %1245, ptr noundef %1246, ptr noundef %322) #10
+  %1250 = sext i32 %1249 to i64
+  %1251 = icmp slt i32 %1249, 0
+  br i1 %1251, label %2127, label %1252
 
-1280:                                             ; preds = %1270
-  %1281 = getelementptr inbounds i8, ptr %1271, i64 40
-  %1282 = load i64, ptr %1281, align 8
-  %1283 = icmp sgt i64 %1282, 0
-  br i1 %1283, label %1338, label %1284
+1252:                                             ; preds = %1241, %1226, %1210, %908
+  %1253 = phi i64 [ 0, %1226 ], [ %1250, %1241 ], [ 0, %1210 ], [ %906, %908 ]
+  %1254 = phi double [ %1211, %1226 ], [ %1211, %1241 ], [ %1211, %1210 ], [ 0.000000e+00, %908 ]
+  %1255 = phi i1 [ %1227, %1226 ], [ %1227, %1241 ], [ false, %1210 ], [ false, %908 ]
+  %1256 = icmp ne i64 %1253, 0
+  %1257 = fcmp uge double %1254, 1.000000e+00
+  %1258 = or i1 %1256, %1257
+  %1259 = or i1 %1255, %1258
+  br i1 %1259, label %1260, label %1342
 
-1284:                                             ; preds = %1356, %1280
-  %1285 = load ptr, ptr %145, align 8
-  %1286 = load ptr, ptr %84, align 8
-  %1287 = getelementptr inbounds i8, ptr %1286, i64 8
-  %1288 = load i64, ptr %1287, align 8
-  %1289 = load ptr, ptr %146, align 8
-  %1290 = load ptr, ptr %144, align 8
-  %1291 = getelementptr inbounds i8, ptr %1286, i64 32
-  %1292 = load i64, ptr %1291, align 8
-  %1293 = getelementptr inbounds i8, ptr %1286, i64 40
-  %1294 = load i64, ptr %1293, align 8
-  %1295 = getelementptr double, ptr %1290, i64 %1292
-  %1296 = getelementptr double, ptr %1295, i64 %1294
-  store double %603, ptr %1296, align 8
-  %1297 = load ptr, ptr %145, align 8
-  store double %517, ptr %1297, align 8
-  %1298 = load ptr, ptr %84, align 8
-  %1299 = getelementptr inbounds i8, ptr %1298, i64 24
-  %1300 = load i64, ptr %1299, align 8
-  %1301 = load ptr, ptr %76, align 8
-  %1302 = load ptr, ptr %144, align 8
-  %1303 = load ptr, ptr %147, align 8
-  %1304 = inttoptr i64 %1300 to ptr
-  %1305 = load ptr, ptr %1304, align 8
-  %1306 = tail call i32 %1305(ptr noundef %1285, ptr noundef %1301, ptr noundef %1302, ptr noundef %1303, ptr noundef %1289) #11
-  %1307 = icmp eq i32 %1306, 0
-  br i1 %1307, label %1308, label %1377
+1260:                                             ; preds = %1252
+  %1261 = load i64, ptr %594, align 8
+  %1262 = add nsw i64 %1261, 1
+  store i64 %1262, ptr %594, align 8
+  %1263 = or i1 %1256, %1255
+  br i1 %1263, label %1267, label %1264
 
-1308:                                             ; preds = %1284
-  %1309 = icmp slt i64 %1288, 1
-  br i1 %1309, label %1335, label %1310
+1264:                                             ; preds = %1260
+  %1265 = tail call double @llvm.fabs.f64(double %1254)
+  %1266 = fcmp one double %1265, 0x7FF0000000000000
+  br label %1267
 
-1310:                                             ; preds = %1308
-  %1311 = load ptr, ptr %148, align 8
-  %1312 = getelementptr double, ptr %1289, i64 %1288
-  br label %1313
+1267:                                             ; preds = %1264, %1260
+  %1268 = phi i1 [ false, %1260 ], [ %1266, %1264 ]
+  %1269 = select i1 %1268, i64 2, i64 4
+  %1270 = select i1 %1255, i64 6, i64 %1269
+  %1271 = select i1 %1256, i64 3, i64 %1270
+  store i64 %1271, ptr %617, align 8
+  %1272 = fcmp ogt double %1254, 1.000000e-10
+  %1273 = select i1 %1272, double %1254, double 1.000000e-10
+  %1274 = load double, ptr %618, align 8
+  %1275 = load double, ptr %296, align 8
+  %1276 = fneg double %1275
+  %1277 = bitcast double %1273 to i64
+  %1278 = add nsw i64 %1277, -4604544271217802189
+  %1279 = ashr i64 %1278, 52
+  %1280 = and i64 %1278, -4503599627370496
+  %1281 = sub nsw i64 %1277, %1280
+  %1282 = bitcast i64 %1281 to double
+  %1283 = fadd double %1282, -1.000000e+00
+  %1284 = fadd double %1282, 1.000000e+00
+  %1285 = fdiv double %1283, %1284
+  %1286 = fmul double %1285, %1285
+  %1287 = tail call double @llvm.fma.f64(double %1286, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
+  %1288 = tail call double @llvm.fma.f64(double %1287, double %1286, double 0x3FE2776C50EF9BFE)
+  %1289 = tail call double @llvm.fma.f64(double %1288, double %1286, double 0x3FEEC709DC3A03FD)
+  %1290 = tail call double @llvm.fma.f64(double %1289, double %1286, double 0x40071547652B82FE)
+  %1291 = trunc nsw i64 %1279 to i32
+  %1292 = sitofp i32 %1291 to double
+  %1293 = fmul double %1285, %1290
+  %1294 = fadd double %1293, %1292
+  %1295 = fmul double %1294, %1276
+  %1296 = fcmp ogt double %1295, -1.000000e+03
+  %1297 = select i1 %1296, double %1295, double -1.000000e+03
+  %1298 = fcmp olt double %1297, 1.000000e+03
+  %1299 = select i1 %1298, double %1297, double 1.000000e+03
+  %1300 = tail call double @llvm.rint.f64(double %1299)
+  %1301 = fsub double %1299, %1300
+  %1302 = tail call double @llvm.fma.f64(double %1301, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
+  %1303 = tail call double @llvm.fma.f64(double %1302, double %1301, double 0x3F55D87FE78A6730)
+  %1304 = tail call double @llvm.fma.f64(double %1303, double %1301, double 0x3F83B2AB6FBA4E77)
+  %1305 = tail call double @llvm.fma.f64(double %1304, double %1301, double 0x3FAC6B08D704A0BF)
+  %1306 = tail call double @llvm.fma.f64(double %1305, double %1301, double 0x3FCEBFBDFF82C58E)
+  %1307 = tail call double @llvm.fma.f64(double %1306, double %1301, double 0x3FE62E42FEFA39EF)
+  %1308 = tail call double @llvm.fma.f64(double %1307, double %1301, double 1.000000e+00)
+  %1309 = bitcast double %1308 to i64
+  %1310 = fptosi double %1300 to i32
+  %1311 = sext i32 %1310 to i64
+  %1312 = shl nsw i64 %1311, 52
+  %1313 = add nsw i64 %1312, %1309
+  %1314 = bitcast i64 %1313 to double
+  %1315 = fmul double %1274, %1314
+  %1316 = load double, ptr %619, align 8
+  %1317 = fcmp ogt double %1315, %1316
+  %1318 = select i1 %1317, double %1315, double %1316
+  %1319 = select i1 %1268, double %1318, double 2.500000e-01
+  %1320 = fmul double %712, %1319
+  br i1 %1268, label %1321, label %1338
 
-1313:                                             ; preds = %1310, %1331
-  %1314 = phi i1 [ %1309, %1310 ], [ %1333, %1331 ]
-  %1315 = phi i64 [ 0, %1310 ], [ %1332, %1331 ]
-  %1316 = getelementptr inbounds i64, ptr %1311, i64 %1315
-  %1317 = load i64, ptr %1316, align 8
-  %1318 = and i64 %1317, 2
-  %1319 = icmp eq i64 %1318, 0
-  br i1 %1319, label %1320, label %1331
+1321:                                             ; preds = %1267
+  %1322 = load i64, ptr %285, align 8
+  %1323 = icmp eq i64 %1322, 0
+  br i1 %1323, label %1338, label %1324
 
-1320:                                             ; preds = %1313
-  %1321 = getelementptr inbounds double, ptr %1289, i64 %1315
-  %1322 = load double, ptr %1321, align 8
-  %1323 = load ptr, ptr %149, align 8
-  %1324 = getelementptr inbounds i64, ptr %1323, i64 %1315
-  %1325 = load i64, ptr %1324, align 8
-  %1326 = sitofp i64 %1325 to double
-  %1327 = fmul double %1322, %1326
-  %1328 = getelementptr double, ptr %1312, i64 %1315
-  %1329 = load double, ptr %1328, align 8
-  %1330 = fcmp ogt double %1327, %1329
-  br i1 %1330, label %1331, label %1335
+1324:                                             ; preds = %1321
+  %1325 = tail call fastcc double @knot_after(ptr noundef nonnull %184, double noundef %626) #11
+  %1326 = fmul double %712, 1.000000e-03
+  %1327 = fsub double %711, %1326
+  %1328 = tail call double @llvm.fabs.f64(double %711)
+  %1329 = fmul double %1328, 0x3D10000000000000
+  %1330 = fsub double %1327, %1329
+  %1331 = fcmp ogt double %1330, %1325
+  br i1 %1331, label %1332, label %1338
 
-1331:                                             ; preds = %1320, %1313
-  %1332 = add nuw nsw i64 %1315, 1
-  %1333 = icmp sge i64 %1332, %1288
-  %1334 = icmp eq i64 %1332, %1288
-  br i1 %1334, label %1335, label %1313, !llvm.loop !25
+1332:                                             ; preds = %1324
+  %1333 = tail call fastcc double @knot_after(ptr noundef nonnull %184, double noundef %1325) #11
+  %1334 = fadd double %626, %1320
+  %1335 = fcmp ugt double %1333, %1334
+  br i1 %1335, label %1336, label %1338
 
-1335:                                             ; preds = %1331, %1320, %1308
-  %1336 = phi i1 [ %1309, %1308 ], [ %1333, %1331 ], [ %1314, %1320 ]
-  %1337 = zext i1 %1336 to i32
-  br label %1377
+1336:                                             ; preds = %1332
+  %1337 = fsub double %1325, %626
+  br label %1338
 
-1338:                                             ; preds = %1280, %1356
-  %1339 = phi i64 [ %1360, %1356 ], [ 0, %1280 ]
-  %1340 = load ptr, ptr %78, align 8
-  %1341 = getelementptr inbounds double, ptr %1340, i64 %1339
-  %1342 = load <8 x double>, ptr %1341, align 8
-  %1343 = load ptr, ptr %76, align 8
-  %1344 = getelementptr inbounds double, ptr %1343, i64 %1339
-  %1345 = load <8 x double>, ptr %1344, align 8
-  %1346 = fsub <8 x double> %1342, %1345
-  %1347 = fneg <8 x double> %1346
-  %1348 = fcmp ogt <8 x double> %1346, zeroinitializer
-  %1349 = select <8 x i1> %1348, <8 x double> %1346, <8 x double> %1347
-  %1350 = load ptr, ptr %0, align 8
-  %1351 = load i64, ptr %1350, align 8
-  %1352 = icmp slt i64 %1351, 0
-  br i1 %1352, label %1356, label %1353
+1338:                                             ; preds = %1336, %1332, %1324, %1321, %1267
+  %1339 = phi double [ %1320, %1267 ], [ %1320, %1321 ], [ %1337, %1336 ], [ %1320, %1332 ], [ %1320, %1324 ]
+  br i1 %304, label %1340, label %1341
 
-1353:                                             ; preds = %1338
-  %1354 = load ptr, ptr %86, align 8
-  %1355 = getelementptr double, ptr %1354, i64 %1339
-  br label %1363
+1340:                                             ; preds = %1338
+  store double %712, ptr %324, align 8
+  br label %2127
 
-1356:                                             ; preds = %1363, %1338
-  %1357 = phi <8 x double> [ %1349, %1338 ], [ %1374, %1363 ]
-  %1358 = getelementptr inbounds double, ptr %1276, i64 %1339
-  %1359 = fmul <8 x double> %1357, <double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00>
-  store <8 x double> %1359, ptr %1358, align 8
-  %1360 = add nuw nsw i64 %1339, 8
-  %1361 = load i64, ptr %1281, align 8
-  %1362 = icmp slt i64 %1360, %1361
-  br i1 %1362, label %1338, label %1284, !llvm.loop !26
+1341:                                             ; preds = %1338
+  store double 1.000000e+00, ptr %620, align 8
+  br label %2127, !llvm.loop !24
 
-1363:                                             ; preds = %1353, %1363
-  %1364 = phi i64 [ 0, %1353 ], [ %1375, %1363 ]
-  %1365 = phi <8 x double> [ %1349, %1353 ], [ %1374, %1363 ]
-  %1366 = mul nsw i64 %1364, %1272
-  %1367 = getelementptr double, ptr %1355, i64 %1366
-  %1368 = load <8 x double>, ptr %1367, align 8
-  %1369 = fneg <8 x double> %1368
-  %1370 = fcmp ogt <8 x double> %1368, zeroinitializer
-  %1371 = select <8 x i1> %1370, <8 x double> %1368, <8 x double> %1369
-  %1372 = fmul <8 x double> %615, %1371
-  %1373 = fcmp ogt <8 x double> %1365, %1372
-  %1374 = select <8 x i1> %1373, <8 x double> %1365, <8 x double> %1372
-  %1375 = add nuw i64 %1364, 1
-  %1376 = icmp eq i64 %1364, %1351
-  br i1 %1376, label %1356, label %1363, !llvm.loop !27
+1342:                                             ; preds = %1252
+  %1343 = load i64, ptr %593, align 8
+  %1344 = add nsw i64 %1343, 1
+  store i64 %1344, ptr %593, align 8
+  store double %711, ptr %288, align 8
+  store double %712, ptr %601, align 8
+  %1345 = load ptr, ptr %207, align 8
+  %1346 = getelementptr inbounds i8, ptr %1345, i64 8
+  %1347 = load i64, ptr %1346, align 8
+  %1348 = icmp eq i64 %1347, 0
+  br i1 %1348, label %1378, label %1349
 
-1377:                                             ; preds = %1335, %1284, %1270
-  %1378 = phi i32 [ 0, %1270 ], [ 0, %1284 ], [ %1337, %1335 ]
-  %1379 = icmp eq i32 %1378, 0
-  br label %1380
+1349:                                             ; preds = %1342
+  %1350 = load i64, ptr %1345, align 8
+  %1351 = load ptr, ptr %184, align 8
+  %1352 = getelementptr inbounds i8, ptr %1351, i64 8
+  %1353 = load i64, ptr %1352, align 8
+  %1354 = load ptr, ptr %251, align 8
+  %1355 = load i64, ptr %252, align 8
+  %1356 = mul nsw i64 %1355, %1350
+  %1357 = getelementptr inbounds double, ptr %1354, i64 %1356
+  %1358 = getelementptr inbounds double, ptr %1357, i64 %1355
+  store double %626, ptr %1357, align 8
+  %1359 = getelementptr inbounds i8, ptr %1357, i64 8
+  store double %712, ptr %1359, align 8
+  store double %711, ptr %1358, align 8
+  %1360 = getelementptr inbounds i8, ptr %1358, i64 8
+  store double 0.000000e+00, ptr %1360, align 8
+  %1361 = icmp sgt i64 %1353, 0
+  br i1 %1361, label %1365, label %1362
 
-1380:                                             ; preds = %1377, %1269
-  %1381 = phi i1 [ false, %1269 ], [ %1379, %1377 ]
-  br i1 %1381, label %1424, label %1382
+1362:                                             ; preds = %1365, %1349
+  %1363 = add nsw i64 %1350, 1
+  %1364 = load ptr, ptr %207, align 8
+  store i64 %1363, ptr %1364, align 8
+  br label %1378
 
-1382:                                             ; preds = %1380
-  %1383 = load i64, ptr %493, align 8
-  %1384 = getelementptr inbounds double, ptr %186, i64 %1383
-  %1385 = load double, ptr %1384, align 8
-  %1386 = fcmp ult double %1385, %602
-  br i1 %1386, label %1424, label %1387
+1365:                                             ; preds = %1349, %1365
+  %1366 = phi i64 [ %1376, %1365 ], [ 0, %1349 ]
+  %1367 = load ptr, ptr %185, align 8
+  %1368 = getelementptr inbounds double, ptr %1367, i64 %1366
+  %1369 = load double, ptr %1368, align 8
+  %1370 = add nuw nsw i64 %1366, 2
+  %1371 = getelementptr inbounds double, ptr %1357, i64 %1370
+  store double %1369, ptr %1371, align 8
+  %1372 = load ptr, ptr %187, align 8
+  %1373 = getelementptr inbounds double, ptr %1372, i64 %1366
+  %1374 = load double, ptr %1373, align 8
+  %1375 = getelementptr inbounds double, ptr %1358, i64 %1370
+  store double %1374, ptr %1375, align 8
+  %1376 = add nuw nsw i64 %1366, 1
+  %1377 = icmp eq i64 %1376, %1353
+  br i1 %1377, label %1362, label %1365, !llvm.loop !25
 
-1387:                                             ; preds = %1382
-  %1388 = load ptr, ptr %75, align 8
-  %1389 = getelementptr inbounds i8, ptr %1388, i64 8
-  %1390 = load i64, ptr %1389, align 8
-  %1391 = load i64, ptr %85, align 8
-  %1392 = load ptr, ptr %80, align 8
-  %1393 = load ptr, ptr %79, align 8
-  %1394 = getelementptr inbounds i8, ptr %1393, i64 48
-  %1395 = load i64, ptr %1394, align 8
-  %1396 = icmp slt i64 %1395, %1391
-  br i1 %1396, label %1397, label %1420
+1378:                                             ; preds = %1342, %1362
+  br i1 %311, label %1379, label %1489
 
-1397:                                             ; preds = %1387
-  %1398 = icmp sgt i64 %1390, 0
-  br label %1399
+1379:                                             ; preds = %1378
+  %1380 = load ptr, ptr %193, align 8
+  %1381 = load i64, ptr %191, align 8
+  %1382 = load ptr, ptr %253, align 8
+  %1383 = getelementptr inbounds i8, ptr %1380, i64 32
+  %1384 = load i64, ptr %1383, align 8
+  %1385 = getelementptr inbounds double, ptr %1382, i64 %1384
+  %1386 = getelementptr inbounds i8, ptr %1380, i64 24
+  %1387 = load i64, ptr %1386, align 8
+  %1388 = icmp eq i64 %1387, 0
+  br i1 %1388, label %1486, label %1389
 
-1399:                                             ; preds = %1397, %1410
-  %1400 = phi i64 [ %1395, %1397 ], [ %1411, %1410 ]
-  %1401 = getelementptr inbounds double, ptr %1392, i64 %1400
-  %1402 = load double, ptr %1401, align 8
-  %1403 = load ptr, ptr %77, align 8
-  %1404 = load double, ptr %1403, align 8
-  %1405 = fcmp ugt double %1402, %1404
-  br i1 %1405, label %1420, label %1406
+1389:                                             ; preds = %1379
+  %1390 = getelementptr inbounds i8, ptr %1380, i64 40
+  %1391 = load i64, ptr %1390, align 8
+  %1392 = icmp sgt i64 %1391, 0
+  br i1 %1392, label %1447, label %1393
 
-1406:                                             ; preds = %1399
-  br i1 %1398, label %1407, label %1410
+1393:                                             ; preds = %1465, %1389
+  %1394 = load ptr, ptr %254, align 8
+  %1395 = load ptr, ptr %193, align 8
+  %1396 = getelementptr inbounds i8, ptr %1395, i64 8
+  %1397 = load i64, ptr %1396, align 8
+  %1398 = load ptr, ptr %255, align 8
+  %1399 = load ptr, ptr %253, align 8
+  %1400 = getelementptr inbounds i8, ptr %1395, i64 32
+  %1401 = load i64, ptr %1400, align 8
+  %1402 = getelementptr inbounds i8, ptr %1395, i64 40
+  %1403 = load i64, ptr %1402, align 8
+  %1404 = getelementptr double, ptr %1399, i64 %1401
+  %1405 = getelementptr double, ptr %1404, i64 %1403
+  store double %712, ptr %1405, align 8
+  %1406 = load ptr, ptr %254, align 8
+  store double %626, ptr %1406, align 8
+  %1407 = load ptr, ptr %193, align 8
+  %1408 = getelementptr inbounds i8, ptr %1407, i64 24
+  %1409 = load i64, ptr %1408, align 8
+  %1410 = load ptr, ptr %185, align 8
+  %1411 = load ptr, ptr %253, align 8
+  %1412 = load ptr, ptr %256, align 8
+  %1413 = inttoptr i64 %1409 to ptr
+  %1414 = load ptr, ptr %1413, align 8
+  %1415 = tail call i32 %1414(ptr noundef %1394, ptr noundef %1410, ptr noundef %1411, ptr noundef %1412, ptr noundef %1398) #10
+  %1416 = icmp eq i32 %1415, 0
+  br i1 %1416, label %1417, label %1486
 
-1407:                                             ; preds = %1406
-  %1408 = mul nsw i64 %1400, %1390
-  %1409 = getelementptr double, ptr %1, i64 %1408
-  br label %1413
+1417:                                             ; preds = %1393
+  %1418 = icmp slt i64 %1397, 1
+  br i1 %1418, label %1444, label %1419
 
-1410:                                             ; preds = %1413, %1406
-  %1411 = add i64 %1400, 1
-  %1412 = icmp eq i64 %1411, %1391
-  br i1 %1412, label %1420, label %1399, !llvm.loop !9
+1419:                                             ; preds = %1417
+  %1420 = load ptr, ptr %257, align 8
+  %1421 = getelementptr double, ptr %1398, i64 %1397
+  br label %1422
 
-1413:                                             ; preds = %1407, %1413
-  %1414 = phi i64 [ 0, %1407 ], [ %1418, %1413 ]
-  %1415 = getelementptr inbounds double, ptr %180, i64 %1414
-  %1416 = load double, ptr %1415, align 8
-  %1417 = getelementptr double, ptr %1409, i64 %1414
-  store double %1416, ptr %1417, align 8
-  %1418 = add nuw nsw i64 %1414, 1
-  %1419 = icmp eq i64 %1418, %1390
-  br i1 %1419, label %1410, label %1413, !llvm.loop !10
+1422:                                             ; preds = %1419, %1440
+  %1423 = phi i1 [ %1418, %1419 ], [ %1442, %1440 ]
+  %1424 = phi i64 [ 0, %1419 ], [ %1441, %1440 ]
+  %1425 = getelementptr inbounds i64, ptr %1420, i64 %1424
+  %1426 = load i64, ptr %1425, align 8
+  %1427 = and i64 %1426, 2
+  %1428 = icmp eq i64 %1427, 0
+  br i1 %1428, label %1429, label %1440
 
-1420:                                             ; preds = %1399, %1410, %1387
-  %1421 = phi i64 [ %1395, %1387 ], [ %1400, %1399 ], [ %1391, %1410 ]
-  %1422 = load ptr, ptr %79, align 8
-  %1423 = getelementptr inbounds i8, ptr %1422, i64 48
-  store i64 %1421, ptr %1423, align 8
-  br label %1790
+1429:                                             ; preds = %1422
+  %1430 = getelementptr inbounds double, ptr %1398, i64 %1424
+  %1431 = load double, ptr %1430, align 8
+  %1432 = load ptr, ptr %258, align 8
+  %1433 = getelementptr inbounds i64, ptr %1432, i64 %1424
+  %1434 = load i64, ptr %1433, align 8
+  %1435 = sitofp i64 %1434 to double
+  %1436 = fmul double %1431, %1435
+  %1437 = getelementptr double, ptr %1421, i64 %1424
+  %1438 = load double, ptr %1437, align 8
+  %1439 = fcmp ogt double %1436, %1438
+  br i1 %1439, label %1440, label %1444
 
-1424:                                             ; preds = %1382, %1380
-  %1425 = load ptr, ptr %0, align 8
-  %1426 = load ptr, ptr %75, align 8
-  %1427 = getelementptr inbounds i8, ptr %1426, i64 16
-  %1428 = load i64, ptr %1427, align 8
-  %1429 = load i64, ptr %1425, align 8
-  %1430 = load i64, ptr %150, align 8
-  %1431 = load ptr, ptr %151, align 8
-  %1432 = mul nsw i64 %1430, %1429
-  %1433 = getelementptr inbounds double, ptr %1431, i64 %1432
-  %1434 = load ptr, ptr %152, align 8
-  %1435 = add nsw i64 %1429, 1
-  %1436 = getelementptr inbounds i8, ptr %1425, i64 16
-  %1437 = load i64, ptr %1436, align 8
-  %1438 = icmp sgt i64 %1437, 0
-  br i1 %1438, label %1439, label %1500
+1440:                                             ; preds = %1429, %1422
+  %1441 = add nuw nsw i64 %1424, 1
+  %1442 = icmp sge i64 %1441, %1397
+  %1443 = icmp eq i64 %1441, %1397
+  br i1 %1443, label %1444, label %1422, !llvm.loop !26
 
-1439:                                             ; preds = %1424
-  %1440 = getelementptr inbounds i8, ptr %1425, i64 8
-  br label %1446
+1444:                                             ; preds = %1440, %1429, %1417
+  %1445 = phi i1 [ %1418, %1417 ], [ %1442, %1440 ], [ %1423, %1429 ]
+  %1446 = zext i1 %1445 to i32
+  br label %1486
 
-1441:                                             ; preds = %1488
-  %1442 = add nsw i64 %1449, 1
-  %1443 = load i64, ptr %1436, align 8
-  %1444 = add nsw i64 %1443, %1435
-  %1445 = icmp slt i64 %1442, %1444
-  br i1 %1445, label %1446, label %1500, !llvm.loop !28
+1447:                                             ; preds = %1389, %1465
+  %1448 = phi i64 [ %1469, %1465 ], [ 0, %1389 ]
+  %1449 = load ptr, ptr %187, align 8
+  %1450 = getelementptr inbounds double, ptr %1449, i64 %1448
+  %1451 = load <8 x double>, ptr %1450, align 8
+  %1452 = load ptr, ptr %185, align 8
+  %1453 = getelementptr inbounds double, ptr %1452, i64 %1448
+  %1454 = load <8 x double>, ptr %1453, align 8
+  %1455 = fsub <8 x double> %1451, %1454
+  %1456 = fneg <8 x double> %1455
+  %1457 = fcmp ogt <8 x double> %1455, zeroinitializer
+  %1458 = select <8 x i1> %1457, <8 x double> %1455, <8 x double> %1456
+  %1459 = load ptr, ptr %0, align 8
+  %1460 = load i64, ptr %1459, align 8
+  %1461 = icmp slt i64 %1460, 0
+  br i1 %1461, label %1465, label %1462
 
-1446:                                             ; preds = %1439, %1441
-  %1447 = phi i1 [ %1438, %1439 ], [ %1445, %1441 ]
-  %1448 = phi i64 [ undef, %1439 ], [ %1499, %1441 ]
-  %1449 = phi i64 [ %1435, %1439 ], [ %1442, %1441 ]
-  %1450 = load i64, ptr %1440, align 8
-  %1451 = load ptr, ptr %153, align 8
-  %1452 = load ptr, ptr %76, align 8
-  %1453 = load ptr, ptr %154, align 8
-  %1454 = getelementptr i64, ptr %1453, i64 %1449
-  %1455 = getelementptr i64, ptr %1454, i64 %1450
-  %1456 = load i64, ptr %1455, align 8
-  %1457 = getelementptr i8, ptr %1455, i64 8
-  %1458 = load i64, ptr %1457, align 8
-  %1459 = xor i64 %1456, -1
-  %1460 = add i64 %1458, %1459
-  %1461 = load ptr, ptr %102, align 8
-  %1462 = load ptr, ptr %151, align 8
-  %1463 = load ptr, ptr %155, align 8
-  %1464 = getelementptr inbounds i64, ptr %1463, i64 %1456
-  %1465 = load ptr, ptr %156, align 8
-  %1466 = getelementptr inbounds double, ptr %1465, i64 %1456
-  tail call fastcc void @combine(ptr noundef %1451, ptr noundef %1452, ptr noundef %1461, ptr noundef %1462, ptr noundef %1464, ptr noundef %1466, i64 noundef %1460, i64 noundef 1, i64 noundef %1428) #10
-  %1467 = load ptr, ptr %151, align 8
-  %1468 = mul nsw i64 %1449, %1430
-  %1469 = getelementptr inbounds double, ptr %1467, i64 %1468
-  %1470 = load i64, ptr %489, align 8
-  %1471 = add nsw i64 %1470, 1
-  store i64 %1471, ptr %489, align 8
-  %1472 = load ptr, ptr %157, align 8
-  %1473 = getelementptr inbounds double, ptr %1472, i64 %1449
-  %1474 = load double, ptr %1473, align 8
-  %1475 = fmul double %603, %1474
-  %1476 = fadd double %517, %1475
-  %1477 = load ptr, ptr %153, align 8
-  %1478 = load ptr, ptr %158, align 8
-  store double %1476, ptr %1478, align 8
-  %1479 = load ptr, ptr %75, align 8
-  %1480 = getelementptr inbounds i8, ptr %1479, i64 40
-  %1481 = load i64, ptr %1480, align 8
-  %1482 = icmp eq i64 %1481, 0
-  br i1 %1482, label %1484, label %1483
+1462:                                             ; preds = %1447
+  %1463 = load ptr, ptr %195, align 8
+  %1464 = getelementptr double, ptr %1463, i64 %1448
+  br label %1472
 
-1483:                                             ; preds = %1446
-  tail call fastcc void @settle(ptr noundef nonnull %75) #10
-  br label %1484
+1465:                                             ; preds = %1472, %1447
+  %1466 = phi <8 x double> [ %1458, %1447 ], [ %1483, %1472 ]
+  %1467 = getelementptr inbounds double, ptr %1385, i64 %1448
+  %1468 = fmul <8 x double> %1466, <double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00, double 8.000000e+00>
+  store <8 x double> %1468, ptr %1467, align 8
+  %1469 = add nuw nsw i64 %1448, 8
+  %1470 = load i64, ptr %1390, align 8
+  %1471 = icmp slt i64 %1469, %1470
+  br i1 %1471, label %1447, label %1393, !llvm.loop !27
 
-1484:                                             ; preds = %1483, %1446
-  %1485 = load i64, ptr %159, align 8
-  %1486 = icmp sgt i64 %1485, 0
-  br i1 %1486, label %1487, label %1488
+1472:                                             ; preds = %1462, %1472
+  %1473 = phi i64 [ 0, %1462 ], [ %1484, %1472 ]
+  %1474 = phi <8 x double> [ %1458, %1462 ], [ %1483, %1472 ]
+  %1475 = mul nsw i64 %1473, %1381
+  %1476 = getelementptr double, ptr %1464, i64 %1475
+  %1477 = load <8 x double>, ptr %1476, align 8
+  %1478 = fneg <8 x double> %1477
+  %1479 = fcmp ogt <8 x double> %1477, zeroinitializer
+  %1480 = select <8 x i1> %1479, <8 x double> %1477, <8 x double> %1478
+  %1481 = fmul <8 x double> %724, %1480
+  %1482 = fcmp ogt <8 x double> %1474, %1481
+  %1483 = select <8 x i1> %1482, <8 x double> %1474, <8 x double> %1481
+  %1484 = add nuw i64 %1473, 1
+  %1485 = icmp eq i64 %1473, %1460
+  br i1 %1485, label %1465, label %1472, !llvm.loop !28
 
-1487:                                             ; preds = %1484
-  tail call fastcc void @sample(ptr noundef nonnull %75) #10
-  br label %1488
+1486:                                             ; preds = %1444, %1393, %1379
+  %1487 = phi i32 [ 0, %1379 ], [ 0, %1393 ], [ %1446, %1444 ]
+  %1488 = icmp eq i32 %1487, 0
+  br label %1489
 
-1488:                                             ; preds = %1484, %1487
-  %1489 = load ptr, ptr %75, align 8
-  %1490 = load i64, ptr %1489, align 8
-  %1491 = load ptr, ptr %158, align 8
-  %1492 = load ptr, ptr %160, align 8
-  %1493 = load ptr, ptr %161, align 8
-  %1494 = inttoptr i64 %1490 to ptr
-  %1495 = load ptr, ptr %1494, align 8
-  %1496 = tail call i32 %1495(ptr noundef %1491, ptr noundef %1477, ptr noundef %1492, ptr noundef %1493, ptr noundef %1469) #11
-  %1497 = sext i32 %1496 to i64
-  %1498 = icmp eq i32 %1496, 0
-  %1499 = select i1 %1498, i64 %1448, i64 %1497
-  br i1 %1498, label %1441, label %1500
+1489:                                             ; preds = %1486, %1378
+  %1490 = phi i1 [ false, %1378 ], [ %1488, %1486 ]
+  br i1 %1490, label %1533, label %1491
 
-1500:                                             ; preds = %1441, %1488, %1424
-  %1501 = phi i1 [ %1438, %1424 ], [ %1445, %1441 ], [ %1447, %1488 ]
-  %1502 = phi i64 [ 0, %1424 ], [ %1497, %1488 ], [ %1497, %1441 ]
-  %1503 = phi i64 [ undef, %1424 ], [ %1499, %1488 ], [ %1499, %1441 ]
-  %1504 = getelementptr inbounds i8, ptr %1425, i64 16
-  br i1 %1501, label %1573, label %1505
+1491:                                             ; preds = %1489
+  %1492 = load i64, ptr %602, align 8
+  %1493 = getelementptr inbounds double, ptr %295, i64 %1492
+  %1494 = load double, ptr %1493, align 8
+  %1495 = fcmp ult double %1494, %711
+  br i1 %1495, label %1533, label %1496
 
-1505:                                             ; preds = %1500
-  %1506 = load ptr, ptr %75, align 8
-  %1507 = getelementptr inbounds i8, ptr %1506, i64 8
-  %1508 = load i64, ptr %1507, align 8
-  %1509 = icmp sgt i64 %1508, 0
-  br i1 %1509, label %1510, label %1514
+1496:                                             ; preds = %1491
+  %1497 = load ptr, ptr %184, align 8
+  %1498 = getelementptr inbounds i8, ptr %1497, i64 8
+  %1499 = load i64, ptr %1498, align 8
+  %1500 = load i64, ptr %194, align 8
+  %1501 = load ptr, ptr %189, align 8
+  %1502 = load ptr, ptr %188, align 8
+  %1503 = getelementptr inbounds i8, ptr %1502, i64 48
+  %1504 = load i64, ptr %1503, align 8
+  %1505 = icmp slt i64 %1504, %1500
+  br i1 %1505, label %1506, label %1529
 
-1510:                                             ; preds = %1505
-  %1511 = getelementptr inbounds double, ptr %1434, i64 %1430
-  %1512 = shl nsw i64 %1430, 4
-  %1513 = getelementptr inbounds i8, ptr %1434, i64 %1512
-  br label %1521
+1506:                                             ; preds = %1496
+  %1507 = icmp sgt i64 %1499, 0
+  br label %1508
 
-1514:                                             ; preds = %1521, %1505
-  %1515 = getelementptr inbounds i8, ptr %1425, i64 8
-  %1516 = load i64, ptr %1515, align 8
-  %1517 = load i64, ptr %1504, align 8
-  %1518 = getelementptr inbounds i8, ptr %1425, i64 24
-  %1519 = load i64, ptr %1518, align 8
-  %1520 = icmp sgt i64 %1519, 3
-  br i1 %1520, label %1548, label %1573
+1508:                                             ; preds = %1506, %1519
+  %1509 = phi i64 [ %1504, %1506 ], [ %1520, %1519 ]
+  %1510 = getelementptr inbounds double, ptr %1501, i64 %1509
+  %1511 = load double, ptr %1510, align 8
+  %1512 = load ptr, ptr %186, align 8
+  %1513 = load double, ptr %1512, align 8
+  %1514 = fcmp ugt double %1511, %1513
+  br i1 %1514, label %1529, label %1515
 
-1521:                                             ; preds = %1510, %1521
-  %1522 = phi i64 [ 0, %1510 ], [ %1543, %1521 ]
-  %1523 = load ptr, ptr %162, align 8
-  %1524 = getelementptr inbounds double, ptr %1523, i64 %1522
+1515:                                             ; preds = %1508
+  br i1 %1507, label %1516, label %1519
+
+1516:                                             ; preds = %1515
+  %1517 = mul nsw i64 %1509, %1499
+  %1518 = getelementptr double, ptr %1, i64 %1517
+  br label %1522
+
+1519:                                             ; preds = %1522, %1515
+  %1520 = add i64 %1509, 1
+  %1521 = icmp eq i64 %1520, %1500
+  br i1 %1521, label %1529, label %1508, !llvm.loop !10
+
+1522:                                             ; preds = %1516, %1522
+  %1523 = phi i64 [ 0, %1516 ], [ %1527, %1522 ]
+  %1524 = getelementptr inbounds double, ptr %289, i64 %1523
   %1525 = load double, ptr %1524, align 8
-  %1526 = load ptr, ptr %76, align 8
-  %1527 = getelementptr inbounds double, ptr %1526, i64 %1522
-  %1528 = load double, ptr %1527, align 8
-  %1529 = fsub double %1525, %1528
-  %1530 = load ptr, ptr %151, align 8
-  %1531 = getelementptr inbounds double, ptr %1530, i64 %1522
-  %1532 = load double, ptr %1531, align 8
-  %1533 = fmul double %603, %1532
-  %1534 = fsub double %1533, %1529
-  %1535 = getelementptr inbounds double, ptr %1434, i64 %1522
-  store double %1529, ptr %1535, align 8
-  %1536 = getelementptr inbounds double, ptr %1511, i64 %1522
-  store double %1534, ptr %1536, align 8
-  %1537 = fsub double %1529, %1534
-  %1538 = getelementptr inbounds double, ptr %1433, i64 %1522
-  %1539 = load double, ptr %1538, align 8
-  %1540 = fmul double %603, %1539
-  %1541 = fsub double %1537, %1540
-  %1542 = getelementptr inbounds double, ptr %1513, i64 %1522
-  store double %1541, ptr %1542, align 8
-  %1543 = add nuw nsw i64 %1522, 1
-  %1544 = load ptr, ptr %75, align 8
-  %1545 = getelementptr inbounds i8, ptr %1544, i64 8
+  %1526 = getelementptr double, ptr %1518, i64 %1523
+  store double %1525, ptr %1526, align 8
+  %1527 = add nuw nsw i64 %1523, 1
+  %1528 = icmp eq i64 %1527, %1499
+  br i1 %1528, label %1519, label %1522, !llvm.loop !11
+
+1529:                                             ; preds = %1508, %1519, %1496
+  %1530 = phi i64 [ %1504, %1496 ], [ %1509, %1508 ], [ %1500, %1519 ]
+  %1531 = load ptr, ptr %188, align 8
+  %1532 = getelementptr inbounds i8, ptr %1531, i64 48
+  store i64 %1530, ptr %1532, align 8
+  br label %1899
+
+1533:                                             ; preds = %1491, %1489
+  %1534 = load ptr, ptr %0, align 8
+  %1535 = load ptr, ptr %184, align 8
+  %1536 = getelementptr inbounds i8, ptr %1535, i64 16
+  %1537 = load i64, ptr %1536, align 8
+  %1538 = load i64, ptr %1534, align 8
+  %1539 = load i64, ptr %259, align 8
+  %1540 = load ptr, ptr %260, align 8
+  %1541 = mul nsw i64 %1539, %1538
+  %1542 = getelementptr inbounds double, ptr %1540, i64 %1541
+  %1543 = load ptr, ptr %261, align 8
+  %1544 = add nsw i64 %1538, 1
+  %1545 = getelementptr inbounds i8, ptr %1534, i64 16
   %1546 = load i64, ptr %1545, align 8
-  %1547 = icmp slt i64 %1543, %1546
-  br i1 %1547, label %1521, label %1514, !llvm.loop !29
+  %1547 = icmp sgt i64 %1546, 0
+  br i1 %1547, label %1548, label %1609
 
-1548:                                             ; preds = %1514, %1548
-  %1549 = phi i64 [ %1570, %1548 ], [ 3, %1514 ]
-  %1550 = mul nsw i64 %1549, %1430
-  %1551 = getelementptr inbounds double, ptr %1434, i64 %1550
-  %1552 = load ptr, ptr %163, align 8
-  %1553 = load ptr, ptr %164, align 8
-  %1554 = getelementptr i64, ptr %1553, i64 %1435
-  %1555 = getelementptr i64, ptr %1554, i64 %1516
-  %1556 = getelementptr i64, ptr %1555, i64 %1517
-  %1557 = getelementptr i64, ptr %1556, i64 %1549
-  %1558 = getelementptr i8, ptr %1557, i64 -24
-  %1559 = load i64, ptr %1558, align 8
-  %1560 = getelementptr i8, ptr %1557, i64 -16
-  %1561 = load i64, ptr %1560, align 8
-  %1562 = xor i64 %1559, -1
-  %1563 = add i64 %1561, %1562
-  %1564 = load ptr, ptr %102, align 8
-  %1565 = load ptr, ptr %151, align 8
-  %1566 = load ptr, ptr %165, align 8
-  %1567 = getelementptr inbounds i64, ptr %1566, i64 %1559
-  %1568 = load ptr, ptr %166, align 8
-  %1569 = getelementptr inbounds double, ptr %1568, i64 %1559
-  tail call fastcc void @combine(ptr noundef %1551, ptr noundef %1552, ptr noundef %1564, ptr noundef %1565, ptr noundef %1567, ptr noundef %1569, i64 noundef %1563, i64 noundef 1, i64 noundef %1428) #10
-  %1570 = add nuw nsw i64 %1549, 1
-  %1571 = load i64, ptr %1518, align 8
-  %1572 = icmp slt i64 %1570, %1571
-  br i1 %1572, label %1548, label %1573, !llvm.loop !30
+1548:                                             ; preds = %1533
+  %1549 = getelementptr inbounds i8, ptr %1534, i64 8
+  br label %1555
 
-1573:                                             ; preds = %1548, %1514, %1500
-  %1574 = phi i64 [ %1503, %1500 ], [ %1502, %1514 ], [ %1502, %1548 ]
-  %1575 = icmp eq i64 %1574, 0
-  br i1 %1575, label %1579, label %1576
+1550:                                             ; preds = %1597
+  %1551 = add nsw i64 %1558, 1
+  %1552 = load i64, ptr %1545, align 8
+  %1553 = add nsw i64 %1552, %1544
+  %1554 = icmp slt i64 %1551, %1553
+  br i1 %1554, label %1555, label %1609, !llvm.loop !29
 
-1576:                                             ; preds = %1573
-  store i64 3, ptr %494, align 8
-  store double %517, ptr %179, align 8
-  %1577 = icmp slt i64 %1574, 0
-  %1578 = select i1 %1577, i64 -4, i64 2
-  br label %2018
+1555:                                             ; preds = %1548, %1550
+  %1556 = phi i1 [ %1547, %1548 ], [ %1554, %1550 ]
+  %1557 = phi i64 [ undef, %1548 ], [ %1608, %1550 ]
+  %1558 = phi i64 [ %1544, %1548 ], [ %1551, %1550 ]
+  %1559 = load i64, ptr %1549, align 8
+  %1560 = load ptr, ptr %262, align 8
+  %1561 = load ptr, ptr %185, align 8
+  %1562 = load ptr, ptr %263, align 8
+  %1563 = getelementptr i64, ptr %1562, i64 %1558
+  %1564 = getelementptr i64, ptr %1563, i64 %1559
+  %1565 = load i64, ptr %1564, align 8
+  %1566 = getelementptr i8, ptr %1564, i64 8
+  %1567 = load i64, ptr %1566, align 8
+  %1568 = xor i64 %1565, -1
+  %1569 = add i64 %1567, %1568
+  %1570 = load ptr, ptr %211, align 8
+  %1571 = load ptr, ptr %260, align 8
+  %1572 = load ptr, ptr %264, align 8
+  %1573 = getelementptr inbounds i64, ptr %1572, i64 %1565
+  %1574 = load ptr, ptr %265, align 8
+  %1575 = getelementptr inbounds double, ptr %1574, i64 %1565
+  tail call fastcc void @combine(ptr noundef %1560, ptr noundef %1561, ptr noundef %1570, ptr noundef %1571, ptr noundef %1573, ptr noundef %1575, i64 noundef %1569, i64 noundef 1, i64 noundef %1537) #11
+  %1576 = load ptr, ptr %260, align 8
+  %1577 = mul nsw i64 %1558, %1539
+  %1578 = getelementptr inbounds double, ptr %1576, i64 %1577
+  %1579 = load i64, ptr %598, align 8
+  %1580 = add nsw i64 %1579, 1
+  store i64 %1580, ptr %598, align 8
+  %1581 = load ptr, ptr %266, align 8
+  %1582 = getelementptr inbounds double, ptr %1581, i64 %1558
+  %1583 = load double, ptr %1582, align 8
+  %1584 = fmul double %712, %1583
+  %1585 = fadd double %626, %1584
+  %1586 = load ptr, ptr %262, align 8
+  %1587 = load ptr, ptr %267, align 8
+  store double %1585, ptr %1587, align 8
+  %1588 = load ptr, ptr %184, align 8
+  %1589 = getelementptr inbounds i8, ptr %1588, i64 40
+  %1590 = load i64, ptr %1589, align 8
+  %1591 = icmp eq i64 %1590, 0
+  br i1 %1591, label %1593, label %1592
 
-1579:                                             ; preds = %1573
-  %1580 = load ptr, ptr %77, align 8
-  br i1 %1381, label %1581, label %1592
+1592:                                             ; preds = %1555
+  tail call fastcc void @settle(ptr noundef nonnull %184) #11
+  br label %1593
 
-1581:                                             ; preds = %1579
-  %1582 = load ptr, ptr %84, align 8
-  %1583 = getelementptr inbounds i8, ptr %1582, i64 16
-  %1584 = load i64, ptr %1583, align 8
-  %1585 = inttoptr i64 %1584 to ptr
-  %1586 = tail call i64 %1585(ptr noundef %0, double noundef %517, double noundef %603) #11
-  %1587 = icmp eq i64 %1586, -6
-  br i1 %1587, label %1588, label %1589
+1593:                                             ; preds = %1592, %1555
+  %1594 = load i64, ptr %268, align 8
+  %1595 = icmp sgt i64 %1594, 0
+  br i1 %1595, label %1596, label %1597
 
-1588:                                             ; preds = %1581
-  store double %517, ptr %1580, align 8
-  br label %1767
+1596:                                             ; preds = %1593
+  tail call fastcc void @sample(ptr noundef nonnull %184) #11
+  br label %1597
 
-1589:                                             ; preds = %1581
-  %1590 = getelementptr inbounds i8, ptr %1580, i64 48
-  %1591 = load double, ptr %1590, align 8
-  br label %1592
+1597:                                             ; preds = %1593, %1596
+  %1598 = load ptr, ptr %184, align 8
+  %1599 = load i64, ptr %1598, align 8
+  %1600 = load ptr, ptr %267, align 8
+  %1601 = load ptr, ptr %269, align 8
+  %1602 = load ptr, ptr %270, align 8
+  %1603 = inttoptr i64 %1599 to ptr
+  %1604 = load ptr, ptr %1603, align 8
+  %1605 = tail call i32 %1604(ptr noundef %1600, ptr noundef %1586, ptr noundef %1601, ptr noundef %1602, ptr noundef %1578) #10
+  %1606 = sext i32 %1605 to i64
+  %1607 = icmp eq i32 %1605, 0
+  %1608 = select i1 %1607, i64 %1557, i64 %1606
+  br i1 %1607, label %1550, label %1609
 
-1592:                                             ; preds = %1589, %1579
-  %1593 = phi double [ %1591, %1589 ], [ 1.000000e+00, %1579 ]
-  %1594 = phi i64 [ %1586, %1589 ], [ 0, %1579 ]
-  %1595 = fcmp oeq double %1593, 1.000000e+00
-  br i1 %1595, label %1596, label %1598
+1609:                                             ; preds = %1550, %1597, %1533
+  %1610 = phi i1 [ %1547, %1533 ], [ %1554, %1550 ], [ %1556, %1597 ]
+  %1611 = phi i64 [ 0, %1533 ], [ %1606, %1597 ], [ %1606, %1550 ]
+  %1612 = phi i64 [ undef, %1533 ], [ %1608, %1597 ], [ %1608, %1550 ]
+  %1613 = getelementptr inbounds i8, ptr %1534, i64 16
+  br i1 %1610, label %1682, label %1614
 
-1596:                                             ; preds = %1592
-  %1597 = load double, ptr %1580, align 8
-  br label %1601
+1614:                                             ; preds = %1609
+  %1615 = load ptr, ptr %184, align 8
+  %1616 = getelementptr inbounds i8, ptr %1615, i64 8
+  %1617 = load i64, ptr %1616, align 8
+  %1618 = icmp sgt i64 %1617, 0
+  br i1 %1618, label %1619, label %1623
 
-1598:                                             ; preds = %1592
-  %1599 = fmul double %603, %1593
-  %1600 = fadd double %517, %1599
-  br label %1601
+1619:                                             ; preds = %1614
+  %1620 = getelementptr inbounds double, ptr %1543, i64 %1539
+  %1621 = shl nsw i64 %1539, 4
+  %1622 = getelementptr inbounds i8, ptr %1543, i64 %1621
+  br label %1630
 
-1601:                                             ; preds = %1598, %1596
-  %1602 = phi double [ %1597, %1596 ], [ %1600, %1598 ]
-  %1603 = icmp eq i64 %1594, -4
-  %1604 = select i1 %1603, i64 -4, i64 0
-  br i1 %1603, label %1662, label %1605
+1623:                                             ; preds = %1630, %1614
+  %1624 = getelementptr inbounds i8, ptr %1534, i64 8
+  %1625 = load i64, ptr %1624, align 8
+  %1626 = load i64, ptr %1613, align 8
+  %1627 = getelementptr inbounds i8, ptr %1534, i64 24
+  %1628 = load i64, ptr %1627, align 8
+  %1629 = icmp sgt i64 %1628, 3
+  br i1 %1629, label %1657, label %1682
 
-1605:                                             ; preds = %1601
-  %1606 = fcmp olt double %1593, 1.000000e+00
-  %1607 = load ptr, ptr %75, align 8
-  %1608 = getelementptr inbounds i8, ptr %1607, i64 8
-  %1609 = load i64, ptr %1608, align 8
-  %1610 = load i64, ptr %85, align 8
-  %1611 = load ptr, ptr %80, align 8
-  %1612 = load ptr, ptr %79, align 8
-  %1613 = getelementptr inbounds i8, ptr %1612, i64 48
-  %1614 = load i64, ptr %1613, align 8
-  %1615 = icmp slt i64 %1614, %1610
-  br i1 %1615, label %1616, label %1658
+1630:                                             ; preds = %1619, %1630
+  %1631 = phi i64 [ 0, %1619 ], [ %1652, %1630 ]
+  %1632 = load ptr, ptr %271, align 8
+  %1633 = getelementptr inbounds double, ptr %1632, i64 %1631
+  %1634 = load double, ptr %1633, align 8
+  %1635 = load ptr, ptr %185, align 8
+  %1636 = getelementptr inbounds double, ptr %1635, i64 %1631
+  %1637 = load double, ptr %1636, align 8
+  %1638 = fsub double %1634, %1637
+  %1639 = load ptr, ptr %260, align 8
+  %1640 = getelementptr inbounds double, ptr %1639, i64 %1631
+  %1641 = load double, ptr %1640, align 8
+  %1642 = fmul double %712, %1641
+  %1643 = fsub double %1642, %1638
+  %1644 = getelementptr inbounds double, ptr %1543, i64 %1631
+  store double %1638, ptr %1644, align 8
+  %1645 = getelementptr inbounds double, ptr %1620, i64 %1631
+  store double %1643, ptr %1645, align 8
+  %1646 = fsub double %1638, %1643
+  %1647 = getelementptr inbounds double, ptr %1542, i64 %1631
+  %1648 = load double, ptr %1647, align 8
+  %1649 = fmul double %712, %1648
+  %1650 = fsub double %1646, %1649
+  %1651 = getelementptr inbounds double, ptr %1622, i64 %1631
+  store double %1650, ptr %1651, align 8
+  %1652 = add nuw nsw i64 %1631, 1
+  %1653 = load ptr, ptr %184, align 8
+  %1654 = getelementptr inbounds i8, ptr %1653, i64 8
+  %1655 = load i64, ptr %1654, align 8
+  %1656 = icmp slt i64 %1652, %1655
+  br i1 %1656, label %1630, label %1623, !llvm.loop !30
 
-1616:                                             ; preds = %1605, %1654
-  %1617 = phi i64 [ %1655, %1654 ], [ undef, %1605 ]
-  %1618 = phi i64 [ %1656, %1654 ], [ %1614, %1605 ]
-  %1619 = getelementptr inbounds double, ptr %1611, i64 %1618
-  %1620 = load double, ptr %1619, align 8
-  %1621 = fcmp olt double %1620, %1602
-  %1622 = fcmp oeq double %1620, %1602
-  %1623 = and i1 %1606, %1622
-  %1624 = or i1 %1621, %1623
-  br i1 %1624, label %1625, label %1658
+1657:                                             ; preds = %1623, %1657
+  %1658 = phi i64 [ %1679, %1657 ], [ 3, %1623 ]
+  %1659 = mul nsw i64 %1658, %1539
+  %1660 = getelementptr inbounds double, ptr %1543, i64 %1659
+  %1661 = load ptr, ptr %272, align 8
+  %1662 = load ptr, ptr %273, align 8
+  %1663 = getelementptr i64, ptr %1662, i64 %1544
+  %1664 = getelementptr i64, ptr %1663, i64 %1625
+  %1665 = getelementptr i64, ptr %1664, i64 %1626
+  %1666 = getelementptr i64, ptr %1665, i64 %1658
+  %1667 = getelementptr i8, ptr %1666, i64 -24
+  %1668 = load i64, ptr %1667, align 8
+  %1669 = getelementptr i8, ptr %1666, i64 -16
+  %1670 = load i64, ptr %1669, align 8
+  %1671 = xor i64 %1668, -1
+  %1672 = add i64 %1670, %1671
+  %1673 = load ptr, ptr %211, align 8
+  %1674 = load ptr, ptr %260, align 8
+  %1675 = load ptr, ptr %274, align 8
+  %1676 = getelementptr inbounds i64, ptr %1675, i64 %1668
+  %1677 = load ptr, ptr %275, align 8
+  %1678 = getelementptr inbounds double, ptr %1677, i64 %1668
+  tail call fastcc void @combine(ptr noundef %1660, ptr noundef %1661, ptr noundef %1673, ptr noundef %1674, ptr noundef %1676, ptr noundef %1678, i64 noundef %1672, i64 noundef 1, i64 noundef %1537) #11
+  %1679 = add nuw nsw i64 %1658, 1
+  %1680 = load i64, ptr %1627, align 8
+  %1681 = icmp slt i64 %1679, %1680
+  br i1 %1681, label %1657, label %1682, !llvm.loop !31
 
-1625:                                             ; preds = %1616
-  %1626 = fsub double %1620, %517
-  %1627 = fdiv double %1626, %603
-  %1628 = mul nsw i64 %1618, %1609
-  %1629 = getelementptr inbounds double, ptr %1, i64 %1628
-  %1630 = load ptr, ptr %167, align 8
-  %1631 = insertelement <8 x double> poison, double %1627, i64 0
-  %1632 = shufflevector <8 x double> %1631, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %1632, ptr %1630, align 8
-  %1633 = load ptr, ptr %76, align 8
-  %1634 = load ptr, ptr %152, align 8
-  %1635 = load i64, ptr %150, align 8
-  %1636 = load ptr, ptr %0, align 8
-  %1637 = getelementptr inbounds i8, ptr %1636, i64 24
-  %1638 = load i64, ptr %1637, align 8
-  %1639 = load ptr, ptr %167, align 8
-  %1640 = load ptr, ptr %75, align 8
-  %1641 = getelementptr inbounds i8, ptr %1640, i64 16
-  %1642 = load i64, ptr %1641, align 8
-  tail call fastcc void @nested(ptr noundef %1629, ptr noundef %1633, ptr noundef %1634, i64 noundef %1635, i64 noundef %1638, ptr noundef %1639, i64 noundef %1642) #10
-  %1643 = load ptr, ptr %83, align 8
-  %1644 = load i64, ptr %1643, align 8
-  %1645 = icmp eq i64 %1644, 1
-  br i1 %1645, label %1646, label %1654
+1682:                                             ; preds = %1657, %1623, %1609
+  %1683 = phi i64 [ %1612, %1609 ], [ %1611, %1623 ], [ %1611, %1657 ]
+  %1684 = icmp eq i64 %1683, 0
+  br i1 %1684, label %1688, label %1685
 
-1646:                                             ; preds = %1625
-  %1647 = load double, ptr %1619, align 8
-  %1648 = getelementptr inbounds i8, ptr %1643, i64 56
-  %1649 = load i64, ptr %1648, align 8
-  %1650 = inttoptr i64 %1649 to ptr
-  %1651 = tail call i64 %1650(ptr noundef %0, double noundef %1647, ptr noundef %1629, ptr noundef null) #11
-  %1652 = icmp eq i64 %1651, 0
-  %1653 = select i1 %1652, i64 %1617, i64 %1651
-  br i1 %1652, label %1654, label %1662
+1685:                                             ; preds = %1682
+  store i64 3, ptr %603, align 8
+  store double %626, ptr %288, align 8
+  %1686 = icmp slt i64 %1683, 0
+  %1687 = select i1 %1686, i64 -4, i64 2
+  br label %2127
 
-1654:                                             ; preds = %1646, %1625
-  %1655 = phi i64 [ %1653, %1646 ], [ %1617, %1625 ]
-  %1656 = add i64 %1618, 1
-  %1657 = icmp eq i64 %1656, %1610
-  br i1 %1657, label %1658, label %1616, !llvm.loop !31
+1688:                                             ; preds = %1682
+  %1689 = load ptr, ptr %186, align 8
+  br i1 %1490, label %1690, label %1701
 
-1658:                                             ; preds = %1654, %1616, %1605
-  %1659 = phi i64 [ %1614, %1605 ], [ %1610, %1654 ], [ %1618, %1616 ]
-  %1660 = load ptr, ptr %79, align 8
-  %1661 = getelementptr inbounds i8, ptr %1660, i64 48
-  store i64 %1659, ptr %1661, align 8
-  br label %1662
+1690:                                             ; preds = %1688
+  %1691 = load ptr, ptr %193, align 8
+  %1692 = getelementptr inbounds i8, ptr %1691, i64 16
+  %1693 = load i64, ptr %1692, align 8
+  %1694 = inttoptr i64 %1693 to ptr
+  %1695 = tail call i64 %1694(ptr noundef %0, double noundef %626, double noundef %712) #10
+  %1696 = icmp eq i64 %1695, -6
+  br i1 %1696, label %1697, label %1698
 
-1662:                                             ; preds = %1646, %1658, %1601
-  %1663 = phi i64 [ %1604, %1601 ], [ 0, %1658 ], [ %1653, %1646 ]
-  %1664 = icmp eq i64 %1663, 0
-  %1665 = icmp ne i64 %1594, 0
-  %1666 = fcmp olt double %1593, 1.000000e+00
-  %1667 = and i1 %1666, %1664
-  %1668 = and i1 %1665, %1667
-  br i1 %1668, label %1669, label %1706
+1697:                                             ; preds = %1690
+  store double %626, ptr %1689, align 8
+  br label %1876
 
-1669:                                             ; preds = %1662
-  %1670 = load ptr, ptr %168, align 8
-  %1671 = load ptr, ptr %169, align 8
-  %1672 = insertelement <8 x double> poison, double %1593, i64 0
-  %1673 = shufflevector <8 x double> %1672, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %1673, ptr %1671, align 8
-  %1674 = load ptr, ptr %76, align 8
-  %1675 = load ptr, ptr %152, align 8
-  %1676 = load i64, ptr %150, align 8
-  %1677 = load ptr, ptr %0, align 8
-  %1678 = getelementptr inbounds i8, ptr %1677, i64 24
-  %1679 = load i64, ptr %1678, align 8
-  %1680 = load ptr, ptr %169, align 8
-  %1681 = load ptr, ptr %75, align 8
-  %1682 = getelementptr inbounds i8, ptr %1681, i64 16
-  %1683 = load i64, ptr %1682, align 8
-  tail call fastcc void @nested(ptr noundef %1670, ptr noundef %1674, ptr noundef %1675, i64 noundef %1676, i64 noundef %1679, ptr noundef %1680, i64 noundef %1683) #10
-  %1684 = load i64, ptr %82, align 8
-  %1685 = icmp sgt i64 %1684, 0
-  br i1 %1685, label %1690, label %1686
+1698:                                             ; preds = %1690
+  %1699 = getelementptr inbounds i8, ptr %1689, i64 48
+  %1700 = load double, ptr %1699, align 8
+  br label %1701
 
-1686:                                             ; preds = %1690, %1669
-  %1687 = load ptr, ptr %83, align 8
-  %1688 = load i64, ptr %1687, align 8
-  %1689 = icmp eq i64 %1688, 1
-  br i1 %1689, label %1700, label %1706
+1701:                                             ; preds = %1698, %1688
+  %1702 = phi double [ %1700, %1698 ], [ 1.000000e+00, %1688 ]
+  %1703 = phi i64 [ %1695, %1698 ], [ 0, %1688 ]
+  %1704 = fcmp oeq double %1702, 1.000000e+00
+  br i1 %1704, label %1705, label %1707
 
-1690:                                             ; preds = %1669, %1690
-  %1691 = phi i64 [ %1697, %1690 ], [ 0, %1669 ]
-  %1692 = load ptr, ptr %168, align 8
-  %1693 = getelementptr inbounds double, ptr %1692, i64 %1691
-  %1694 = load double, ptr %1693, align 8
-  %1695 = load ptr, ptr %78, align 8
-  %1696 = getelementptr inbounds double, ptr %1695, i64 %1691
-  store double %1694, ptr %1696, align 8
-  %1697 = add nuw nsw i64 %1691, 1
-  %1698 = load i64, ptr %82, align 8
-  %1699 = icmp slt i64 %1697, %1698
-  br i1 %1699, label %1690, label %1686, !llvm.loop !32
+1705:                                             ; preds = %1701
+  %1706 = load double, ptr %1689, align 8
+  br label %1710
 
-1700:                                             ; preds = %1686
-  %1701 = load ptr, ptr %78, align 8
-  %1702 = getelementptr inbounds i8, ptr %1687, i64 56
-  %1703 = load i64, ptr %1702, align 8
-  %1704 = inttoptr i64 %1703 to ptr
-  %1705 = tail call i64 %1704(ptr noundef %0, double noundef %1602, ptr noundef %1701, ptr noundef null) #11
-  br label %1706
+1707:                                             ; preds = %1701
+  %1708 = fmul double %712, %1702
+  %1709 = fadd double %626, %1708
+  br label %1710
 
-1706:                                             ; preds = %1700, %1686, %1662
-  %1707 = phi i64 [ %1705, %1700 ], [ 0, %1686 ], [ %1663, %1662 ]
-  %1708 = icmp eq i64 %1707, 0
-  br i1 %1708, label %1711, label %1709
+1710:                                             ; preds = %1707, %1705
+  %1711 = phi double [ %1706, %1705 ], [ %1709, %1707 ]
+  %1712 = icmp eq i64 %1703, -4
+  %1713 = select i1 %1712, i64 -4, i64 0
+  br i1 %1712, label %1771, label %1714
 
-1709:                                             ; preds = %1706
-  store double %517, ptr %1580, align 8
-  %1710 = getelementptr inbounds i8, ptr %1580, i64 8
-  store double %603, ptr %1710, align 8
-  br label %1767
+1714:                                             ; preds = %1710
+  %1715 = fcmp olt double %1702, 1.000000e+00
+  %1716 = load ptr, ptr %184, align 8
+  %1717 = getelementptr inbounds i8, ptr %1716, i64 8
+  %1718 = load i64, ptr %1717, align 8
+  %1719 = load i64, ptr %194, align 8
+  %1720 = load ptr, ptr %189, align 8
+  %1721 = load ptr, ptr %188, align 8
+  %1722 = getelementptr inbounds i8, ptr %1721, i64 48
+  %1723 = load i64, ptr %1722, align 8
+  %1724 = icmp slt i64 %1723, %1719
+  br i1 %1724, label %1725, label %1767
 
-1711:                                             ; preds = %1706
-  br i1 %1595, label %1712, label %1750
+1725:                                             ; preds = %1714, %1763
+  %1726 = phi i64 [ %1764, %1763 ], [ undef, %1714 ]
+  %1727 = phi i64 [ %1765, %1763 ], [ %1723, %1714 ]
+  %1728 = getelementptr inbounds double, ptr %1720, i64 %1727
+  %1729 = load double, ptr %1728, align 8
+  %1730 = fcmp olt double %1729, %1711
+  %1731 = fcmp oeq double %1729, %1711
+  %1732 = and i1 %1715, %1731
+  %1733 = or i1 %1730, %1732
+  br i1 %1733, label %1734, label %1767
 
-1712:                                             ; preds = %1711
-  %1713 = load ptr, ptr %78, align 8
-  %1714 = load ptr, ptr %75, align 8
-  %1715 = getelementptr inbounds i8, ptr %1714, i64 8
-  %1716 = load i64, ptr %1715, align 8
-  %1717 = load i64, ptr %85, align 8
-  %1718 = load ptr, ptr %80, align 8
-  %1719 = load ptr, ptr %79, align 8
-  %1720 = getelementptr inbounds i8, ptr %1719, i64 48
-  %1721 = load i64, ptr %1720, align 8
-  %1722 = icmp slt i64 %1721, %1717
-  br i1 %1722, label %1723, label %1746
+1734:                                             ; preds = %1725
+  %1735 = fsub double %1729, %626
+  %1736 = fdiv double %1735, %712
+  %1737 = mul nsw i64 %1727, %1718
+  %1738 = getelementptr inbounds double, ptr %1, i64 %1737
+  %1739 = load ptr, ptr %276, align 8
+  %1740 = insertelement <8 x double> poison, double %1736, i64 0
+  %1741 = shufflevector <8 x double> %1740, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %1741, ptr %1739, align 8
+  %1742 = load ptr, ptr %185, align 8
+  %1743 = load ptr, ptr %261, align 8
+  %1744 = load i64, ptr %259, align 8
+  %1745 = load ptr, ptr %0, align 8
+  %1746 = getelementptr inbounds i8, ptr %1745, i64 24
+  %1747 = load i64, ptr %1746, align 8
+  %1748 = load ptr, ptr %276, align 8
+  %1749 = load ptr, ptr %184, align 8
+  %1750 = getelementptr inbounds i8, ptr %1749, i64 16
+  %1751 = load i64, ptr %1750, align 8
+  tail call fastcc void @nested(ptr noundef %1738, ptr noundef %1742, ptr noundef %1743, i64 noundef %1744, i64 noundef %1747, ptr noundef %1748, i64 noundef %1751) #11
+  %1752 = load ptr, ptr %192, align 8
+  %1753 = load i64, ptr %1752, align 8
+  %1754 = icmp eq i64 %1753, 1
+  br i1 %1754, label %1755, label %1763
 
-1723:                                             ; preds = %1712
-  %1724 = icmp sgt i64 %1716, 0
-  br label %1725
+1755:                                             ; preds = %1734
+  %1756 = load double, ptr %1728, align 8
+  %1757 = getelementptr inbounds i8, ptr %1752, i64 56
+  %1758 = load i64, ptr %1757, align 8
+  %1759 = inttoptr i64 %1758 to ptr
+  %1760 = tail call i64 %1759(ptr noundef %0, double noundef %1756, ptr noundef %1738, ptr noundef null) #10
+  %1761 = icmp eq i64 %1760, 0
+  %1762 = select i1 %1761, i64 %1726, i64 %1760
+  br i1 %1761, label %1763, label %1771
 
-1725:                                             ; preds = %1723, %1736
-  %1726 = phi i64 [ %1721, %1723 ], [ %1737, %1736 ]
-  %1727 = getelementptr inbounds double, ptr %1718, i64 %1726
-  %1728 = load double, ptr %1727, align 8
-  %1729 = load ptr, ptr %77, align 8
-  %1730 = load double, ptr %1729, align 8
-  %1731 = fcmp ugt double %1728, %1730
-  br i1 %1731, label %1746, label %1732
+1763:                                             ; preds = %1755, %1734
+  %1764 = phi i64 [ %1762, %1755 ], [ %1726, %1734 ]
+  %1765 = add i64 %1727, 1
+  %1766 = icmp eq i64 %1765, %1719
+  br i1 %1766, label %1767, label %1725, !llvm.loop !32
 
-1732:                                             ; preds = %1725
-  br i1 %1724, label %1733, label %1736
+1767:                                             ; preds = %1763, %1725, %1714
+  %1768 = phi i64 [ %1723, %1714 ], [ %1719, %1763 ], [ %1727, %1725 ]
+  %1769 = load ptr, ptr %188, align 8
+  %1770 = getelementptr inbounds i8, ptr %1769, i64 48
+  store i64 %1768, ptr %1770, align 8
+  br label %1771
 
-1733:                                             ; preds = %1732
-  %1734 = mul nsw i64 %1726, %1716
-  %1735 = getelementptr double, ptr %1, i64 %1734
-  br label %1739
+1771:                                             ; preds = %1755, %1767, %1710
+  %1772 = phi i64 [ %1713, %1710 ], [ 0, %1767 ], [ %1762, %1755 ]
+  %1773 = icmp eq i64 %1772, 0
+  %1774 = icmp ne i64 %1703, 0
+  %1775 = fcmp olt double %1702, 1.000000e+00
+  %1776 = and i1 %1775, %1773
+  %1777 = and i1 %1774, %1776
+  br i1 %1777, label %1778, label %1815
 
-1736:                                             ; preds = %1739, %1732
-  %1737 = add i64 %1726, 1
-  %1738 = icmp eq i64 %1737, %1717
-  br i1 %1738, label %1746, label %1725, !llvm.loop !9
-
-1739:                                             ; preds = %1733, %1739
-  %1740 = phi i64 [ 0, %1733 ], [ %1744, %1739 ]
-  %1741 = getelementptr inbounds double, ptr %1713, i64 %1740
-  %1742 = load double, ptr %1741, align 8
-  %1743 = getelementptr double, ptr %1735, i64 %1740
-  store double %1742, ptr %1743, align 8
-  %1744 = add nuw nsw i64 %1740, 1
-  %1745 = icmp eq i64 %1744, %1716
-  br i1 %1745, label %1736, label %1739, !llvm.loop !10
-
-1746:                                             ; preds = %1736, %1725, %1712
-  %1747 = phi i64 [ %1721, %1712 ], [ %1717, %1736 ], [ %1726, %1725 ]
-  %1748 = load ptr, ptr %79, align 8
-  %1749 = getelementptr inbounds i8, ptr %1748, i64 48
-  store i64 %1747, ptr %1749, align 8
-  br label %1750
-
-1750:                                             ; preds = %1746, %1711
-  br i1 %1665, label %1751, label %1767
-
-1751:                                             ; preds = %1750
-  %1752 = load i64, ptr %82, align 8
-  %1753 = icmp sgt i64 %1752, 0
-  br i1 %1753, label %1757, label %1754
-
-1754:                                             ; preds = %1757, %1751
-  store double %1602, ptr %1580, align 8
-  %1755 = getelementptr inbounds i8, ptr %1580, i64 8
-  store double 0.000000e+00, ptr %1755, align 8
-  %1756 = load ptr, ptr %79, align 8
-  store i64 0, ptr %1756, align 8
-  br label %1767
-
-1757:                                             ; preds = %1751, %1757
-  %1758 = phi i64 [ %1764, %1757 ], [ 0, %1751 ]
-  %1759 = load ptr, ptr %78, align 8
-  %1760 = getelementptr inbounds double, ptr %1759, i64 %1758
-  %1761 = load double, ptr %1760, align 8
-  %1762 = load ptr, ptr %76, align 8
-  %1763 = getelementptr inbounds double, ptr %1762, i64 %1758
-  store double %1761, ptr %1763, align 8
-  %1764 = add nuw nsw i64 %1758, 1
-  %1765 = load i64, ptr %82, align 8
-  %1766 = icmp slt i64 %1764, %1765
-  br i1 %1766, label %1757, label %1754, !llvm.loop !33
-
-1767:                                             ; preds = %1588, %1709, %1750, %1754
-  %1768 = phi i64 [ -6, %1588 ], [ %1707, %1709 ], [ %1594, %1754 ], [ %1594, %1750 ]
-  %1769 = icmp eq i64 %1768, -6
-  br i1 %1769, label %1774, label %1770
-
-1770:                                             ; preds = %1767
-  %1771 = icmp ne i64 %1768, 6
-  %1772 = select i1 %1771, i1 true, i1 %195
-  %1773 = select i1 %1772, i1 true, i1 %202
-  br i1 %1773, label %1784, label %1774
-
-1774:                                             ; preds = %1770, %1767
-  %1775 = phi i64 [ %1768, %1770 ], [ 2, %1767 ]
-  %1776 = load i64, ptr %484, align 8
-  %1777 = add nsw i64 %1776, -1
-  store i64 %1777, ptr %484, align 8
-  %1778 = load ptr, ptr %98, align 8
-  %1779 = load i64, ptr %1778, align 8
-  %1780 = add nsw i64 %1779, -1
-  store i64 %1780, ptr %1778, align 8
-  %1781 = load i64, ptr %485, align 8
-  %1782 = add nsw i64 %1781, 1
-  store i64 %1782, ptr %485, align 8
-  store i64 %1775, ptr %506, align 8
-  store double 1.000000e+00, ptr %507, align 8
-  %1783 = fmul double %603, 2.500000e-01
-  br label %2018, !llvm.loop !23
-
-1784:                                             ; preds = %1770
-  %1785 = icmp eq i64 %1768, 0
-  br i1 %1785, label %1790, label %1786
-
-1786:                                             ; preds = %1784
-  %1787 = load ptr, ptr %98, align 8
+1778:                                             ; preds = %1771
+  %1779 = load ptr, ptr %277, align 8
+  %1780 = load ptr, ptr %278, align 8
+  %1781 = insertelement <8 x double> poison, double %1702, i64 0
+  %1782 = shufflevector <8 x double> %1781, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %1782, ptr %1780, align 8
+  %1783 = load ptr, ptr %185, align 8
+  %1784 = load ptr, ptr %261, align 8
+  %1785 = load i64, ptr %259, align 8
+  %1786 = load ptr, ptr %0, align 8
+  %1787 = getelementptr inbounds i8, ptr %1786, i64 24
   %1788 = load i64, ptr %1787, align 8
-  %1789 = add nsw i64 %1788, 1
-  store i64 %1789, ptr %1787, align 8
-  br label %2018
+  %1789 = load ptr, ptr %278, align 8
+  %1790 = load ptr, ptr %184, align 8
+  %1791 = getelementptr inbounds i8, ptr %1790, i64 16
+  %1792 = load i64, ptr %1791, align 8
+  tail call fastcc void @nested(ptr noundef %1779, ptr noundef %1783, ptr noundef %1784, i64 noundef %1785, i64 noundef %1788, ptr noundef %1789, i64 noundef %1792) #11
+  %1793 = load i64, ptr %191, align 8
+  %1794 = icmp sgt i64 %1793, 0
+  br i1 %1794, label %1799, label %1795
 
-1790:                                             ; preds = %1784, %1420
-  br i1 %195, label %1964, label %1791
+1795:                                             ; preds = %1799, %1778
+  %1796 = load ptr, ptr %192, align 8
+  %1797 = load i64, ptr %1796, align 8
+  %1798 = icmp eq i64 %1797, 1
+  br i1 %1798, label %1809, label %1815
 
-1791:                                             ; preds = %1790
-  %1792 = load double, ptr %495, align 8
-  %1793 = load double, ptr %496, align 8
-  %1794 = fcmp ogt double %1145, 1.000000e-10
-  %1795 = select i1 %1794, double %1145, double 1.000000e-10
-  %1796 = load double, ptr %497, align 8
-  %1797 = load double, ptr %498, align 8
-  %1798 = fneg double %1797
-  %1799 = bitcast double %1795 to i64
-  %1800 = add nsw i64 %1799, -4604544271217802189
-  %1801 = ashr i64 %1800, 52
-  %1802 = and i64 %1800, -4503599627370496
-  %1803 = sub nsw i64 %1799, %1802
-  %1804 = bitcast i64 %1803 to double
-  %1805 = fadd double %1804, -1.000000e+00
-  %1806 = fadd double %1804, 1.000000e+00
-  %1807 = fdiv double %1805, %1806
-  %1808 = fmul double %1807, %1807
-  %1809 = tail call double @llvm.fma.f64(double %1808, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
-  %1810 = tail call double @llvm.fma.f64(double %1809, double %1808, double 0x3FE2776C50EF9BFE)
-  %1811 = tail call double @llvm.fma.f64(double %1810, double %1808, double 0x3FEEC709DC3A03FD)
-  %1812 = tail call double @llvm.fma.f64(double %1811, double %1808, double 0x40071547652B82FE)
-  %1813 = trunc nsw i64 %1801 to i32
-  %1814 = sitofp i32 %1813 to double
-  %1815 = fmul double %1807, %1812
-  %1816 = fadd double %1815, %1814
-  %1817 = fmul double %1816, %1798
-  %1818 = fcmp ogt double %1817, -1.000000e+03
-  %1819 = select i1 %1818, double %1817, double -1.000000e+03
-  %1820 = fcmp olt double %1819, 1.000000e+03
-  %1821 = select i1 %1820, double %1819, double 1.000000e+03
-  %1822 = tail call double @llvm.rint.f64(double %1821)
-  %1823 = fsub double %1821, %1822
-  %1824 = tail call double @llvm.fma.f64(double %1823, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
-  %1825 = tail call double @llvm.fma.f64(double %1824, double %1823, double 0x3F55D87FE78A6730)
-  %1826 = tail call double @llvm.fma.f64(double %1825, double %1823, double 0x3F83B2AB6FBA4E77)
-  %1827 = tail call double @llvm.fma.f64(double %1826, double %1823, double 0x3FAC6B08D704A0BF)
-  %1828 = tail call double @llvm.fma.f64(double %1827, double %1823, double 0x3FCEBFBDFF82C58E)
-  %1829 = tail call double @llvm.fma.f64(double %1828, double %1823, double 0x3FE62E42FEFA39EF)
-  %1830 = tail call double @llvm.fma.f64(double %1829, double %1823, double 1.000000e+00)
-  %1831 = bitcast double %1830 to i64
-  %1832 = fptosi double %1822 to i32
-  %1833 = sext i32 %1832 to i64
-  %1834 = shl nsw i64 %1833, 52
-  %1835 = add nsw i64 %1834, %1831
-  %1836 = bitcast i64 %1835 to double
-  %1837 = fmul double %1796, %1836
-  %1838 = load double, ptr %499, align 8
-  %1839 = fcmp une double %1838, 0.000000e+00
-  br i1 %1839, label %1840, label %1880
+1799:                                             ; preds = %1778, %1799
+  %1800 = phi i64 [ %1806, %1799 ], [ 0, %1778 ]
+  %1801 = load ptr, ptr %277, align 8
+  %1802 = getelementptr inbounds double, ptr %1801, i64 %1800
+  %1803 = load double, ptr %1802, align 8
+  %1804 = load ptr, ptr %187, align 8
+  %1805 = getelementptr inbounds double, ptr %1804, i64 %1800
+  store double %1803, ptr %1805, align 8
+  %1806 = add nuw nsw i64 %1800, 1
+  %1807 = load i64, ptr %191, align 8
+  %1808 = icmp slt i64 %1806, %1807
+  br i1 %1808, label %1799, label %1795, !llvm.loop !33
 
-1840:                                             ; preds = %1791
-  %1841 = bitcast double %1792 to i64
-  %1842 = add nsw i64 %1841, -4604544271217802189
-  %1843 = ashr i64 %1842, 52
-  %1844 = and i64 %1842, -4503599627370496
-  %1845 = sub nsw i64 %1841, %1844
-  %1846 = bitcast i64 %1845 to double
-  %1847 = fadd double %1846, -1.000000e+00
-  %1848 = fadd double %1846, 1.000000e+00
-  %1849 = fdiv double %1847, %1848
-  %1850 = fmul double %1849, %1849
-  %1851 = tail call double @llvm.fma.f64(double %1850, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
-  %1852 = tail call double @llvm.fma.f64(double %1851, double %1850, double 0x3FE2776C50EF9BFE)
-  %1853 = tail call double @llvm.fma.f64(double %1852, double %1850, double 0x3FEEC709DC3A03FD)
-  %1854 = tail call double @llvm.fma.f64(double %1853, double %1850, double 0x40071547652B82FE)
-  %1855 = trunc nsw i64 %1843 to i32
-  %1856 = sitofp i32 %1855 to double
-  %1857 = fmul double %1849, %1854
-  %1858 = fadd double %1857, %1856
-  %1859 = fmul double %1838, %1858
-  %1860 = fcmp ogt double %1859, -1.000000e+03
-  %1861 = select i1 %1860, double %1859, double -1.000000e+03
-  %1862 = fcmp olt double %1861, 1.000000e+03
-  %1863 = select i1 %1862, double %1861, double 1.000000e+03
-  %1864 = tail call double @llvm.rint.f64(double %1863)
-  %1865 = fsub double %1863, %1864
-  %1866 = tail call double @llvm.fma.f64(double %1865, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
-  %1867 = tail call double @llvm.fma.f64(double %1866, double %1865, double 0x3F55D87FE78A6730)
-  %1868 = tail call double @llvm.fma.f64(double %1867, double %1865, double 0x3F83B2AB6FBA4E77)
-  %1869 = tail call double @llvm.fma.f64(double %1868, double %1865, double 0x3FAC6B08D704A0BF)
-  %1870 = tail call double @llvm.fma.f64(double %1869, double %1865, double 0x3FCEBFBDFF82C58E)
-  %1871 = tail call double @llvm.fma.f64(double %1870, double %1865, double 0x3FE62E42FEFA39EF)
-  %1872 = tail call double @llvm.fma.f64(double %1871, double %1865, double 1.000000e+00)
-  %1873 = bitcast double %1872 to i64
-  %1874 = fptosi double %1864 to i32
-  %1875 = sext i32 %1874 to i64
-  %1876 = shl nsw i64 %1875, 52
-  %1877 = add nsw i64 %1876, %1873
-  %1878 = bitcast i64 %1877 to double
-  %1879 = fmul double %1837, %1878
-  br label %1880
+1809:                                             ; preds = %1795
+  %1810 = load ptr, ptr %187, align 8
+  %1811 = getelementptr inbounds i8, ptr %1796, i64 56
+  %1812 = load i64, ptr %1811, align 8
+  %1813 = inttoptr i64 %1812 to ptr
+  %1814 = tail call i64 %1813(ptr noundef %0, double noundef %1711, ptr noundef %1810, ptr noundef null) #10
+  br label %1815
 
-1880:                                             ; preds = %1791, %1840
-  %1881 = phi double [ %1879, %1840 ], [ %1837, %1791 ]
-  %1882 = load double, ptr %500, align 8
-  %1883 = fcmp ogt double %1881, %1882
-  %1884 = select i1 %1883, double %1881, double %1882
-  %1885 = fcmp olt double %1793, %1884
-  %1886 = select i1 %1885, double %1793, double %1884
-  %1887 = fmul double %603, %1886
-  %1888 = fcmp oeq double %1793, 1.000000e+00
-  br i1 %1888, label %1889, label %1956
+1815:                                             ; preds = %1809, %1795, %1771
+  %1816 = phi i64 [ %1814, %1809 ], [ 0, %1795 ], [ %1772, %1771 ]
+  %1817 = icmp eq i64 %1816, 0
+  br i1 %1817, label %1820, label %1818
 
-1889:                                             ; preds = %1880
-  %1890 = load double, ptr %501, align 8
-  br i1 %1839, label %1891, label %1931
+1818:                                             ; preds = %1815
+  store double %626, ptr %1689, align 8
+  %1819 = getelementptr inbounds i8, ptr %1689, i64 8
+  store double %712, ptr %1819, align 8
+  br label %1876
 
-1891:                                             ; preds = %1889
-  %1892 = bitcast double %1792 to i64
-  %1893 = add nsw i64 %1892, -4604544271217802189
-  %1894 = ashr i64 %1893, 52
-  %1895 = and i64 %1893, -4503599627370496
-  %1896 = sub nsw i64 %1892, %1895
-  %1897 = bitcast i64 %1896 to double
-  %1898 = fadd double %1897, -1.000000e+00
-  %1899 = fadd double %1897, 1.000000e+00
-  %1900 = fdiv double %1898, %1899
-  %1901 = fmul double %1900, %1900
-  %1902 = tail call double @llvm.fma.f64(double %1901, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
-  %1903 = tail call double @llvm.fma.f64(double %1902, double %1901, double 0x3FE2776C50EF9BFE)
-  %1904 = tail call double @llvm.fma.f64(double %1903, double %1901, double 0x3FEEC709DC3A03FD)
-  %1905 = tail call double @llvm.fma.f64(double %1904, double %1901, double 0x40071547652B82FE)
-  %1906 = trunc nsw i64 %1894 to i32
-  %1907 = sitofp i32 %1906 to double
-  %1908 = fmul double %1900, %1905
-  %1909 = fadd double %1908, %1907
-  %1910 = fmul double %1838, %1909
-  %1911 = fcmp ogt double %1910, -1.000000e+03
-  %1912 = select i1 %1911, double %1910, double -1.000000e+03
-  %1913 = fcmp olt double %1912, 1.000000e+03
-  %1914 = select i1 %1913, double %1912, double 1.000000e+03
-  %1915 = tail call double @llvm.rint.f64(double %1914)
-  %1916 = fsub double %1914, %1915
-  %1917 = tail call double @llvm.fma.f64(double %1916, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
-  %1918 = tail call double @llvm.fma.f64(double %1917, double %1916, double 0x3F55D87FE78A6730)
-  %1919 = tail call double @llvm.fma.f64(double %1918, double %1916, double 0x3F83B2AB6FBA4E77)
-  %1920 = tail call double @llvm.fma.f64(double %1919, double %1916, double 0x3FAC6B08D704A0BF)
-  %1921 = tail call double @llvm.fma.f64(double %1920, double %1916, double 0x3FCEBFBDFF82C58E)
-  %1922 = tail call double @llvm.fma.f64(double %1921, double %1916, double 0x3FE62E42FEFA39EF)
-  %1923 = tail call double @llvm.fma.f64(double %1922, double %1916, double 1.000000e+00)
-  %1924 = bitcast double %1923 to i64
-  %1925 = fptosi double %1915 to i32
-  %1926 = sext i32 %1925 to i64
-  %1927 = shl nsw i64 %1926, 52
-  %1928 = add nsw i64 %1927, %1924
-  %1929 = bitcast i64 %1928 to double
-  %1930 = fmul double %1837, %1929
-  br label %1931
+1820:                                             ; preds = %1815
+  br i1 %1704, label %1821, label %1859
 
-1931:                                             ; preds = %1889, %1891
-  %1932 = phi double [ %1930, %1891 ], [ %1837, %1889 ]
-  %1933 = fcmp ogt double %1932, %1882
-  %1934 = select i1 %1933, double %1932, double %1882
-  %1935 = fcmp olt double %1890, %1934
-  %1936 = select i1 %1935, double %1890, double %1934
-  %1937 = fmul double %603, %1936
-  %1938 = load i64, ptr %170, align 8
-  %1939 = icmp eq i64 %1938, 0
-  br i1 %1939, label %1956, label %1940
+1821:                                             ; preds = %1820
+  %1822 = load ptr, ptr %187, align 8
+  %1823 = load ptr, ptr %184, align 8
+  %1824 = getelementptr inbounds i8, ptr %1823, i64 8
+  %1825 = load i64, ptr %1824, align 8
+  %1826 = load i64, ptr %194, align 8
+  %1827 = load ptr, ptr %189, align 8
+  %1828 = load ptr, ptr %188, align 8
+  %1829 = getelementptr inbounds i8, ptr %1828, i64 48
+  %1830 = load i64, ptr %1829, align 8
+  %1831 = icmp slt i64 %1830, %1826
+  br i1 %1831, label %1832, label %1855
 
-1940:                                             ; preds = %1931
-  %1941 = tail call fastcc double @knot_after(ptr noundef nonnull %75, double noundef %517) #10
-  %1942 = fmul double %603, 1.000000e-03
-  %1943 = fsub double %602, %1942
-  %1944 = tail call double @llvm.fabs.f64(double %602)
-  %1945 = fmul double %1944, 0x3D10000000000000
-  %1946 = fsub double %1943, %1945
-  %1947 = fcmp ogt double %1946, %1941
-  %1948 = fadd double %602, %1945
-  %1949 = fcmp ogt double %1941, %1948
-  %1950 = or i1 %1947, %1949
-  br i1 %1950, label %1956, label %1951
+1832:                                             ; preds = %1821
+  %1833 = icmp sgt i64 %1825, 0
+  br label %1834
 
-1951:                                             ; preds = %1940
-  %1952 = tail call fastcc double @knot_after(ptr noundef nonnull %75, double noundef %602) #10
-  %1953 = fsub double %1952, %602
-  %1954 = fcmp olt double %1953, %1937
-  %1955 = select i1 %1954, double %1953, double %1937
-  br label %1956
+1834:                                             ; preds = %1832, %1845
+  %1835 = phi i64 [ %1830, %1832 ], [ %1846, %1845 ]
+  %1836 = getelementptr inbounds double, ptr %1827, i64 %1835
+  %1837 = load double, ptr %1836, align 8
+  %1838 = load ptr, ptr %186, align 8
+  %1839 = load double, ptr %1838, align 8
+  %1840 = fcmp ugt double %1837, %1839
+  br i1 %1840, label %1855, label %1841
 
-1956:                                             ; preds = %1951, %1940, %1931, %1880
-  %1957 = phi double [ %1887, %1880 ], [ %1887, %1931 ], [ %1955, %1951 ], [ %1887, %1940 ]
-  %1958 = fcmp ogt double %518, %1957
-  %1959 = select i1 %1958, double %518, double %1957
-  %1960 = select i1 %607, double %1957, double %1959
-  %1961 = fcmp ogt double %1145, 1.000000e-04
-  %1962 = select i1 %1961, double %1145, double 1.000000e-04
-  store double %1962, ptr %495, align 8
-  %1963 = load double, ptr %502, align 8
-  store double %1963, ptr %496, align 8
-  br label %1964
+1841:                                             ; preds = %1834
+  br i1 %1833, label %1842, label %1845
 
-1964:                                             ; preds = %1956, %1790
-  %1965 = phi double [ %1960, %1956 ], [ %518, %1790 ]
-  br i1 %503, label %1970, label %1966
+1842:                                             ; preds = %1841
+  %1843 = mul nsw i64 %1835, %1825
+  %1844 = getelementptr double, ptr %1, i64 %1843
+  br label %1848
 
-1966:                                             ; preds = %1970, %1964
-  %1967 = load i64, ptr %504, align 8
-  %1968 = load i64, ptr %85, align 8
-  %1969 = icmp eq i64 %1967, %1968
-  br i1 %1969, label %1982, label %1983
+1845:                                             ; preds = %1848, %1841
+  %1846 = add i64 %1835, 1
+  %1847 = icmp eq i64 %1846, %1826
+  br i1 %1847, label %1855, label %1834, !llvm.loop !10
 
-1970:                                             ; preds = %1964, %1970
-  %1971 = phi i64 [ %1980, %1970 ], [ 0, %1964 ]
-  %1972 = getelementptr inbounds double, ptr %180, i64 %1971
-  %1973 = load double, ptr %1972, align 8
-  %1974 = load ptr, ptr %76, align 8
-  %1975 = getelementptr inbounds double, ptr %1974, i64 %1971
-  store double %1973, ptr %1975, align 8
-  %1976 = getelementptr inbounds double, ptr %213, i64 %1971
-  %1977 = load double, ptr %1976, align 8
-  %1978 = load ptr, ptr %86, align 8
-  %1979 = getelementptr inbounds double, ptr %1978, i64 %1971
-  store double %1977, ptr %1979, align 8
-  %1980 = add nuw nsw i64 %1971, 1
-  %1981 = icmp eq i64 %1980, %189
-  br i1 %1981, label %1966, label %1970, !llvm.loop !34
+1848:                                             ; preds = %1842, %1848
+  %1849 = phi i64 [ 0, %1842 ], [ %1853, %1848 ]
+  %1850 = getelementptr inbounds double, ptr %1822, i64 %1849
+  %1851 = load double, ptr %1850, align 8
+  %1852 = getelementptr double, ptr %1844, i64 %1849
+  store double %1851, ptr %1852, align 8
+  %1853 = add nuw nsw i64 %1849, 1
+  %1854 = icmp eq i64 %1853, %1825
+  br i1 %1854, label %1845, label %1848, !llvm.loop !11
 
-1982:                                             ; preds = %1966
-  store double %1965, ptr %215, align 8
-  br label %2018
+1855:                                             ; preds = %1845, %1834, %1821
+  %1856 = phi i64 [ %1830, %1821 ], [ %1826, %1845 ], [ %1835, %1834 ]
+  %1857 = load ptr, ptr %188, align 8
+  %1858 = getelementptr inbounds i8, ptr %1857, i64 48
+  store i64 %1856, ptr %1858, align 8
+  br label %1859
 
-1983:                                             ; preds = %1966
-  %1984 = fcmp oeq double %602, %577
-  br i1 %1984, label %1985, label %2018
+1859:                                             ; preds = %1855, %1820
+  br i1 %1774, label %1860, label %1876
 
-1985:                                             ; preds = %1983
-  %1986 = load i64, ptr %99, align 8
-  %1987 = icmp sgt i64 %1986, 0
-  br i1 %1987, label %1988, label %1990
+1860:                                             ; preds = %1859
+  %1861 = load i64, ptr %191, align 8
+  %1862 = icmp sgt i64 %1861, 0
+  br i1 %1862, label %1866, label %1863
 
-1988:                                             ; preds = %1985
-  %1989 = load ptr, ptr %171, align 8
-  store double 0x7FF0000000000000, ptr %1989, align 8
-  br label %1990
+1863:                                             ; preds = %1866, %1860
+  store double %1711, ptr %1689, align 8
+  %1864 = getelementptr inbounds i8, ptr %1689, i64 8
+  store double 0.000000e+00, ptr %1864, align 8
+  %1865 = load ptr, ptr %188, align 8
+  store i64 0, ptr %1865, align 8
+  br label %1876
 
-1990:                                             ; preds = %1985, %1988
-  %1991 = load i64, ptr %489, align 8
-  %1992 = add nsw i64 %1991, 1
-  store i64 %1992, ptr %489, align 8
-  %1993 = load ptr, ptr %76, align 8
-  %1994 = load ptr, ptr %86, align 8
-  %1995 = load ptr, ptr %172, align 8
-  store double %602, ptr %1995, align 8
-  %1996 = load ptr, ptr %75, align 8
-  %1997 = getelementptr inbounds i8, ptr %1996, i64 40
-  %1998 = load i64, ptr %1997, align 8
-  %1999 = icmp eq i64 %1998, 0
-  br i1 %1999, label %2001, label %2000
+1866:                                             ; preds = %1860, %1866
+  %1867 = phi i64 [ %1873, %1866 ], [ 0, %1860 ]
+  %1868 = load ptr, ptr %187, align 8
+  %1869 = getelementptr inbounds double, ptr %1868, i64 %1867
+  %1870 = load double, ptr %1869, align 8
+  %1871 = load ptr, ptr %185, align 8
+  %1872 = getelementptr inbounds double, ptr %1871, i64 %1867
+  store double %1870, ptr %1872, align 8
+  %1873 = add nuw nsw i64 %1867, 1
+  %1874 = load i64, ptr %191, align 8
+  %1875 = icmp slt i64 %1873, %1874
+  br i1 %1875, label %1866, label %1863, !llvm.loop !34
 
-2000:                                             ; preds = %1990
-  tail call fastcc void @settle(ptr noundef nonnull %75) #10
-  br label %2001
+1876:                                             ; preds = %1697, %1818, %1859, %1863
+  %1877 = phi i64 [ -6, %1697 ], [ %1816, %1818 ], [ %1703, %1863 ], [ %1703, %1859 ]
+  %1878 = icmp eq i64 %1877, -6
+  br i1 %1878, label %1883, label %1879
 
-2001:                                             ; preds = %2000, %1990
-  %2002 = load i64, ptr %173, align 8
-  %2003 = icmp sgt i64 %2002, 0
-  br i1 %2003, label %2004, label %2005
+1879:                                             ; preds = %1876
+  %1880 = icmp ne i64 %1877, 6
+  %1881 = select i1 %1880, i1 true, i1 %304
+  %1882 = select i1 %1881, i1 true, i1 %311
+  br i1 %1882, label %1893, label %1883
 
-2004:                                             ; preds = %2001
-  tail call fastcc void @sample(ptr noundef nonnull %75) #10
-  br label %2005
+1883:                                             ; preds = %1879, %1876
+  %1884 = phi i64 [ %1877, %1879 ], [ 2, %1876 ]
+  %1885 = load i64, ptr %593, align 8
+  %1886 = add nsw i64 %1885, -1
+  store i64 %1886, ptr %593, align 8
+  %1887 = load ptr, ptr %207, align 8
+  %1888 = load i64, ptr %1887, align 8
+  %1889 = add nsw i64 %1888, -1
+  store i64 %1889, ptr %1887, align 8
+  %1890 = load i64, ptr %594, align 8
+  %1891 = add nsw i64 %1890, 1
+  store i64 %1891, ptr %594, align 8
+  store i64 %1884, ptr %615, align 8
+  store double 1.000000e+00, ptr %616, align 8
+  %1892 = fmul double %712, 2.500000e-01
+  br label %2127, !llvm.loop !24
 
-2005:                                             ; preds = %2001, %2004
-  %2006 = load ptr, ptr %75, align 8
-  %2007 = load i64, ptr %2006, align 8
-  %2008 = load ptr, ptr %172, align 8
-  %2009 = load ptr, ptr %174, align 8
-  %2010 = load ptr, ptr %175, align 8
-  %2011 = inttoptr i64 %2007 to ptr
-  %2012 = load ptr, ptr %2011, align 8
-  %2013 = tail call i32 %2012(ptr noundef %2008, ptr noundef %1993, ptr noundef %2009, ptr noundef %2010, ptr noundef %1994) #11
-  %2014 = icmp eq i32 %2013, 0
-  br i1 %2014, label %2018, label %2015
+1893:                                             ; preds = %1879
+  %1894 = icmp eq i64 %1877, 0
+  br i1 %1894, label %1899, label %1895
 
-2015:                                             ; preds = %2005
-  store i64 3, ptr %505, align 8
-  store double %1965, ptr %215, align 8
-  %2016 = icmp slt i32 %2013, 0
-  %2017 = select i1 %2016, i64 -4, i64 2
-  br label %2018
+1895:                                             ; preds = %1893
+  %1896 = load ptr, ptr %207, align 8
+  %1897 = load i64, ptr %1896, align 8
+  %1898 = add nsw i64 %1897, 1
+  store i64 %1898, ptr %1896, align 8
+  br label %2127
 
-2018:                                             ; preds = %2015, %2005, %1983, %1982, %1786, %1774, %1576, %1232, %1231, %1132, %796, %609
-  %2019 = phi double [ %518, %609 ], [ %518, %796 ], [ %518, %1132 ], [ %1230, %1232 ], [ %1230, %1231 ], [ %518, %1576 ], [ %1783, %1774 ], [ %518, %1786 ], [ %1965, %1982 ], [ %1965, %2015 ], [ %1965, %2005 ], [ %1965, %1983 ]
-  %2020 = phi double [ %517, %609 ], [ %517, %796 ], [ %517, %1132 ], [ %517, %1232 ], [ %517, %1231 ], [ %517, %1576 ], [ %517, %1774 ], [ %517, %1786 ], [ %602, %1982 ], [ %602, %2015 ], [ %602, %2005 ], [ %602, %1983 ]
-  %2021 = phi i32 [ 1, %609 ], [ 1, %796 ], [ 1, %1132 ], [ 3, %1232 ], [ 1, %1231 ], [ 1, %1576 ], [ 3, %1774 ], [ 1, %1786 ], [ 1, %1982 ], [ 1, %2015 ], [ 0, %2005 ], [ 0, %1983 ]
-  %2022 = phi i64 [ 2, %609 ], [ -4, %796 ], [ -4, %1132 ], [ %516, %1232 ], [ 2, %1231 ], [ %1578, %1576 ], [ %516, %1774 ], [ %1768, %1786 ], [ 0, %1982 ], [ %2017, %2015 ], [ %516, %2005 ], [ %516, %1983 ]
-  switch i32 %2021, label %2026 [
-    i32 0, label %2023
-    i32 3, label %2023
+1899:                                             ; preds = %1893, %1529
+  br i1 %304, label %2073, label %1900
+
+1900:                                             ; preds = %1899
+  %1901 = load double, ptr %604, align 8
+  %1902 = load double, ptr %605, align 8
+  %1903 = fcmp ogt double %1254, 1.000000e-10
+  %1904 = select i1 %1903, double %1254, double 1.000000e-10
+  %1905 = load double, ptr %606, align 8
+  %1906 = load double, ptr %607, align 8
+  %1907 = fneg double %1906
+  %1908 = bitcast double %1904 to i64
+  %1909 = add nsw i64 %1908, -4604544271217802189
+  %1910 = ashr i64 %1909, 52
+  %1911 = and i64 %1909, -4503599627370496
+  %1912 = sub nsw i64 %1908, %1911
+  %1913 = bitcast i64 %1912 to double
+  %1914 = fadd double %1913, -1.000000e+00
+  %1915 = fadd double %1913, 1.000000e+00
+  %1916 = fdiv double %1914, %1915
+  %1917 = fmul double %1916, %1916
+  %1918 = tail call double @llvm.fma.f64(double %1917, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
+  %1919 = tail call double @llvm.fma.f64(double %1918, double %1917, double 0x3FE2776C50EF9BFE)
+  %1920 = tail call double @llvm.fma.f64(double %1919, double %1917, double 0x3FEEC709DC3A03FD)
+  %1921 = tail call double @llvm.fma.f64(double %1920, double %1917, double 0x40071547652B82FE)
+  %1922 = trunc nsw i64 %1910 to i32
+  %1923 = sitofp i32 %1922 to double
+  %1924 = fmul double %1916, %1921
+  %1925 = fadd double %1924, %1923
+  %1926 = fmul double %1925, %1907
+  %1927 = fcmp ogt double %1926, -1.000000e+03
+  %1928 = select i1 %1927, double %1926, double -1.000000e+03
+  %1929 = fcmp olt double %1928, 1.000000e+03
+  %1930 = select i1 %1929, double %1928, double 1.000000e+03
+  %1931 = tail call double @llvm.rint.f64(double %1930)
+  %1932 = fsub double %1930, %1931
+  %1933 = tail call double @llvm.fma.f64(double %1932, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
+  %1934 = tail call double @llvm.fma.f64(double %1933, double %1932, double 0x3F55D87FE78A6730)
+  %1935 = tail call double @llvm.fma.f64(double %1934, double %1932, double 0x3F83B2AB6FBA4E77)
+  %1936 = tail call double @llvm.fma.f64(double %1935, double %1932, double 0x3FAC6B08D704A0BF)
+  %1937 = tail call double @llvm.fma.f64(double %1936, double %1932, double 0x3FCEBFBDFF82C58E)
+  %1938 = tail call double @llvm.fma.f64(double %1937, double %1932, double 0x3FE62E42FEFA39EF)
+  %1939 = tail call double @llvm.fma.f64(double %1938, double %1932, double 1.000000e+00)
+  %1940 = bitcast double %1939 to i64
+  %1941 = fptosi double %1931 to i32
+  %1942 = sext i32 %1941 to i64
+  %1943 = shl nsw i64 %1942, 52
+  %1944 = add nsw i64 %1943, %1940
+  %1945 = bitcast i64 %1944 to double
+  %1946 = fmul double %1905, %1945
+  %1947 = load double, ptr %608, align 8
+  %1948 = fcmp une double %1947, 0.000000e+00
+  br i1 %1948, label %1949, label %1989
+
+1949:                                             ; preds = %1900
+  %1950 = bitcast double %1901 to i64
+  %1951 = add nsw i64 %1950, -4604544271217802189
+  %1952 = ashr i64 %1951, 52
+  %1953 = and i64 %1951, -4503599627370496
+  %1954 = sub nsw i64 %1950, %1953
+  %1955 = bitcast i64 %1954 to double
+  %1956 = fadd double %1955, -1.000000e+00
+  %1957 = fadd double %1955, 1.000000e+00
+  %1958 = fdiv double %1956, %1957
+  %1959 = fmul double %1958, %1958
+  %1960 = tail call double @llvm.fma.f64(double %1959, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
+  %1961 = tail call double @llvm.fma.f64(double %1960, double %1959, double 0x3FE2776C50EF9BFE)
+  %1962 = tail call double @llvm.fma.f64(double %1961, double %1959, double 0x3FEEC709DC3A03FD)
+  %1963 = tail call double @llvm.fma.f64(double %1962, double %1959, double 0x40071547652B82FE)
+  %1964 = trunc nsw i64 %1952 to i32
+  %1965 = sitofp i32 %1964 to double
+  %1966 = fmul double %1958, %1963
+  %1967 = fadd double %1966, %1965
+  %1968 = fmul double %1947, %1967
+  %1969 = fcmp ogt double %1968, -1.000000e+03
+  %1970 = select i1 %1969, double %1968, double -1.000000e+03
+  %1971 = fcmp olt double %1970, 1.000000e+03
+  %1972 = select i1 %1971, double %1970, double 1.000000e+03
+  %1973 = tail call double @llvm.rint.f64(double %1972)
+  %1974 = fsub double %1972, %1973
+  %1975 = tail call double @llvm.fma.f64(double %1974, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
+  %1976 = tail call double @llvm.fma.f64(double %1975, double %1974, double 0x3F55D87FE78A6730)
+  %1977 = tail call double @llvm.fma.f64(double %1976, double %1974, double 0x3F83B2AB6FBA4E77)
+  %1978 = tail call double @llvm.fma.f64(double %1977, double %1974, double 0x3FAC6B08D704A0BF)
+  %1979 = tail call double @llvm.fma.f64(double %1978, double %1974, double 0x3FCEBFBDFF82C58E)
+  %1980 = tail call double @llvm.fma.f64(double %1979, double %1974, double 0x3FE62E42FEFA39EF)
+  %1981 = tail call double @llvm.fma.f64(double %1980, double %1974, double 1.000000e+00)
+  %1982 = bitcast double %1981 to i64
+  %1983 = fptosi double %1973 to i32
+  %1984 = sext i32 %1983 to i64
+  %1985 = shl nsw i64 %1984, 52
+  %1986 = add nsw i64 %1985, %1982
+  %1987 = bitcast i64 %1986 to double
+  %1988 = fmul double %1946, %1987
+  br label %1989
+
+1989:                                             ; preds = %1900, %1949
+  %1990 = phi double [ %1988, %1949 ], [ %1946, %1900 ]
+  %1991 = load double, ptr %609, align 8
+  %1992 = fcmp ogt double %1990, %1991
+  %1993 = select i1 %1992, double %1990, double %1991
+  %1994 = fcmp olt double %1902, %1993
+  %1995 = select i1 %1994, double %1902, double %1993
+  %1996 = fmul double %712, %1995
+  %1997 = fcmp oeq double %1902, 1.000000e+00
+  br i1 %1997, label %1998, label %2065
+
+1998:                                             ; preds = %1989
+  %1999 = load double, ptr %610, align 8
+  br i1 %1948, label %2000, label %2040
+
+2000:                                             ; preds = %1998
+  %2001 = bitcast double %1901 to i64
+  %2002 = add nsw i64 %2001, -4604544271217802189
+  %2003 = ashr i64 %2002, 52
+  %2004 = and i64 %2002, -4503599627370496
+  %2005 = sub nsw i64 %2001, %2004
+  %2006 = bitcast i64 %2005 to double
+  %2007 = fadd double %2006, -1.000000e+00
+  %2008 = fadd double %2006, 1.000000e+00
+  %2009 = fdiv double %2007, %2008
+  %2010 = fmul double %2009, %2009
+  %2011 = tail call double @llvm.fma.f64(double %2010, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
+  %2012 = tail call double @llvm.fma.f64(double %2011, double %2010, double 0x3FE2776C50EF9BFE)
+  %2013 = tail call double @llvm.fma.f64(double %2012, double %2010, double 0x3FEEC709DC3A03FD)
+  %2014 = tail call double @llvm.fma.f64(double %2013, double %2010, double 0x40071547652B82FE)
+  %2015 = trunc nsw i64 %2003 to i32
+  %2016 = sitofp i32 %2015 to double
+  %2017 = fmul double %2009, %2014
+  %2018 = fadd double %2017, %2016
+  %2019 = fmul double %1947, %2018
+  %2020 = fcmp ogt double %2019, -1.000000e+03
+  %2021 = select i1 %2020, double %2019, double -1.000000e+03
+  %2022 = fcmp olt double %2021, 1.000000e+03
+  %2023 = select i1 %2022, double %2021, double 1.000000e+03
+  %2024 = tail call double @llvm.rint.f64(double %2023)
+  %2025 = fsub double %2023, %2024
+  %2026 = tail call double @llvm.fma.f64(double %2025, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
+  %2027 = tail call double @llvm.fma.f64(double %2026, double %2025, double 0x3F55D87FE78A6730)
+  %2028 = tail call double @llvm.fma.f64(double %2027, double %2025, double 0x3F83B2AB6FBA4E77)
+  %2029 = tail call double @llvm.fma.f64(double %2028, double %2025, double 0x3FAC6B08D704A0BF)
+  %2030 = tail call double @llvm.fma.f64(double %2029, double %2025, double 0x3FCEBFBDFF82C58E)
+  %2031 = tail call double @llvm.fma.f64(double %2030, double %2025, double 0x3FE62E42FEFA39EF)
+  %2032 = tail call double @llvm.fma.f64(double %2031, double %2025, double 1.000000e+00)
+  %2033 = bitcast double %2032 to i64
+  %2034 = fptosi double %2024 to i32
+  %2035 = sext i32 %2034 to i64
+  %2036 = shl nsw i64 %2035, 52
+  %2037 = add nsw i64 %2036, %2033
+  %2038 = bitcast i64 %2037 to double
+  %2039 = fmul double %1946, %2038
+  br label %2040
+
+2040:                                             ; preds = %1998, %2000
+  %2041 = phi double [ %2039, %2000 ], [ %1946, %1998 ]
+  %2042 = fcmp ogt double %2041, %1991
+  %2043 = select i1 %2042, double %2041, double %1991
+  %2044 = fcmp olt double %1999, %2043
+  %2045 = select i1 %2044, double %1999, double %2043
+  %2046 = fmul double %712, %2045
+  %2047 = load i64, ptr %279, align 8
+  %2048 = icmp eq i64 %2047, 0
+  br i1 %2048, label %2065, label %2049
+
+2049:                                             ; preds = %2040
+  %2050 = tail call fastcc double @knot_after(ptr noundef nonnull %184, double noundef %626) #11
+  %2051 = fmul double %712, 1.000000e-03
+  %2052 = fsub double %711, %2051
+  %2053 = tail call double @llvm.fabs.f64(double %711)
+  %2054 = fmul double %2053, 0x3D10000000000000
+  %2055 = fsub double %2052, %2054
+  %2056 = fcmp ogt double %2055, %2050
+  %2057 = fadd double %711, %2054
+  %2058 = fcmp ogt double %2050, %2057
+  %2059 = or i1 %2056, %2058
+  br i1 %2059, label %2065, label %2060
+
+2060:                                             ; preds = %2049
+  %2061 = tail call fastcc double @knot_after(ptr noundef nonnull %184, double noundef %711) #11
+  %2062 = fsub double %2061, %711
+  %2063 = fcmp olt double %2062, %2046
+  %2064 = select i1 %2063, double %2062, double %2046
+  br label %2065
+
+2065:                                             ; preds = %2060, %2049, %2040, %1989
+  %2066 = phi double [ %1996, %1989 ], [ %1996, %2040 ], [ %2064, %2060 ], [ %1996, %2049 ]
+  %2067 = fcmp ogt double %627, %2066
+  %2068 = select i1 %2067, double %627, double %2066
+  %2069 = select i1 %716, double %2066, double %2068
+  %2070 = fcmp ogt double %1254, 1.000000e-04
+  %2071 = select i1 %2070, double %1254, double 1.000000e-04
+  store double %2071, ptr %604, align 8
+  %2072 = load double, ptr %611, align 8
+  store double %2072, ptr %605, align 8
+  br label %2073
+
+2073:                                             ; preds = %2065, %1899
+  %2074 = phi double [ %2069, %2065 ], [ %627, %1899 ]
+  br i1 %612, label %2079, label %2075
+
+2075:                                             ; preds = %2079, %2073
+  %2076 = load i64, ptr %613, align 8
+  %2077 = load i64, ptr %194, align 8
+  %2078 = icmp eq i64 %2076, %2077
+  br i1 %2078, label %2091, label %2092
+
+2079:                                             ; preds = %2073, %2079
+  %2080 = phi i64 [ %2089, %2079 ], [ 0, %2073 ]
+  %2081 = getelementptr inbounds double, ptr %289, i64 %2080
+  %2082 = load double, ptr %2081, align 8
+  %2083 = load ptr, ptr %185, align 8
+  %2084 = getelementptr inbounds double, ptr %2083, i64 %2080
+  store double %2082, ptr %2084, align 8
+  %2085 = getelementptr inbounds double, ptr %322, i64 %2080
+  %2086 = load double, ptr %2085, align 8
+  %2087 = load ptr, ptr %195, align 8
+  %2088 = getelementptr inbounds double, ptr %2087, i64 %2080
+  store double %2086, ptr %2088, align 8
+  %2089 = add nuw nsw i64 %2080, 1
+  %2090 = icmp eq i64 %2089, %298
+  br i1 %2090, label %2075, label %2079, !llvm.loop !35
+
+2091:                                             ; preds = %2075
+  store double %2074, ptr %324, align 8
+  br label %2127
+
+2092:                                             ; preds = %2075
+  %2093 = fcmp oeq double %711, %686
+  br i1 %2093, label %2094, label %2127
+
+2094:                                             ; preds = %2092
+  %2095 = load i64, ptr %208, align 8
+  %2096 = icmp sgt i64 %2095, 0
+  br i1 %2096, label %2097, label %2099
+
+2097:                                             ; preds = %2094
+  %2098 = load ptr, ptr %280, align 8
+  store double 0x7FF0000000000000, ptr %2098, align 8
+  br label %2099
+
+2099:                                             ; preds = %2094, %2097
+  %2100 = load i64, ptr %598, align 8
+  %2101 = add nsw i64 %2100, 1
+  store i64 %2101, ptr %598, align 8
+  %2102 = load ptr, ptr %185, align 8
+  %2103 = load ptr, ptr %195, align 8
+  %2104 = load ptr, ptr %281, align 8
+  store double %711, ptr %2104, align 8
+  %2105 = load ptr, ptr %184, align 8
+  %2106 = getelementptr inbounds i8, ptr %2105, i64 40
+  %2107 = load i64, ptr %2106, align 8
+  %2108 = icmp eq i64 %2107, 0
+  br i1 %2108, label %2110, label %2109
+
+2109:                                             ; preds = %2099
+  tail call fastcc void @settle(ptr noundef nonnull %184) #11
+  br label %2110
+
+2110:                                             ; preds = %2109, %2099
+  %2111 = load i64, ptr %282, align 8
+  %2112 = icmp sgt i64 %2111, 0
+  br i1 %2112, label %2113, label %2114
+
+2113:                                             ; preds = %2110
+  tail call fastcc void @sample(ptr noundef nonnull %184) #11
+  br label %2114
+
+2114:                                             ; preds = %2110, %2113
+  %2115 = load ptr, ptr %184, align 8
+  %2116 = load i64, ptr %2115, align 8
+  %2117 = load ptr, ptr %281, align 8
+  %2118 = load ptr, ptr %283, align 8
+  %2119 = load ptr, ptr %284, align 8
+  %2120 = inttoptr i64 %2116 to ptr
+  %2121 = load ptr, ptr %2120, align 8
+  %2122 = tail call i32 %2121(ptr noundef %2117, ptr noundef %2102, ptr noundef %2118, ptr noundef %2119, ptr noundef %2103) #10
+  %2123 = icmp eq i32 %2122, 0
+  br i1 %2123, label %2127, label %2124
+
+2124:                                             ; preds = %2114
+  store i64 3, ptr %614, align 8
+  store double %2074, ptr %324, align 8
+  %2125 = icmp slt i32 %2122, 0
+  %2126 = select i1 %2125, i64 -4, i64 2
+  br label %2127
+
+2127:                                             ; preds = %2124, %2114, %2092, %2091, %1895, %1883, %1685, %1341, %1340, %1241, %905, %718
+  %2128 = phi double [ %627, %718 ], [ %627, %905 ], [ %627, %1241 ], [ %1339, %1341 ], [ %1339, %1340 ], [ %627, %1685 ], [ %1892, %1883 ], [ %627, %1895 ], [ %2074, %2091 ], [ %2074, %2124 ], [ %2074, %2114 ], [ %2074, %2092 ]
+  %2129 = phi double [ %626, %718 ], [ %626, %905 ], [ %626, %1241 ], [ %626, %1341 ], [ %626, %1340 ], [ %626, %1685 ], [ %626, %1883 ], [ %626, %1895 ], [ %711, %2091 ], [ %711, %2124 ], [ %711, %2114 ], [ %711, %2092 ]
+  %2130 = phi i32 [ 1, %718 ], [ 1, %905 ], [ 1, %1241 ], [ 3, %1341 ], [ 1, %1340 ], [ 1, %1685 ], [ 3, %1883 ], [ 1, %1895 ], [ 1, %2091 ], [ 1, %2124 ], [ 0, %2114 ], [ 0, %2092 ]
+  %2131 = phi i64 [ 2, %718 ], [ -4, %905 ], [ -4, %1241 ], [ %625, %1341 ], [ 2, %1340 ], [ %1687, %1685 ], [ %625, %1883 ], [ %1877, %1895 ], [ 0, %2091 ], [ %2126, %2124 ], [ %625, %2114 ], [ %625, %2092 ]
+  switch i32 %2130, label %2135 [
+    i32 0, label %2132
+    i32 3, label %2132
   ]
 
-2023:                                             ; preds = %2018, %2018
-  %2024 = load i64, ptr %182, align 8
-  %2025 = icmp eq i64 %2024, 0
-  br i1 %2025, label %512, label %514, !llvm.loop !23
+2132:                                             ; preds = %2127, %2127
+  %2133 = load i64, ptr %291, align 8
+  %2134 = icmp eq i64 %2133, 0
+  br i1 %2134, label %621, label %623, !llvm.loop !24
 
-2026:                                             ; preds = %2018, %178, %277, %319, %512, %531, %539
-  %2027 = phi i64 [ -1, %178 ], [ %280, %277 ], [ -1, %512 ], [ -5, %531 ], [ 1, %539 ], [ 0, %319 ], [ %2022, %2018 ]
-  %2028 = load ptr, ptr %177, align 8
-  %2029 = getelementptr inbounds i8, ptr %2028, i64 48
-  %2030 = load i64, ptr %2029, align 8
-  %2031 = icmp ne i64 %2027, -2
-  %2032 = icmp eq i64 %2030, 0
-  %2033 = select i1 %2031, i1 true, i1 %2032
-  br i1 %2033, label %2041, label %2034
+2135:                                             ; preds = %2127, %287, %386, %428, %621, %640, %648
+  %2136 = phi i64 [ -1, %287 ], [ %389, %386 ], [ -1, %621 ], [ -5, %640 ], [ 1, %648 ], [ 0, %428 ], [ %2131, %2127 ]
+  %2137 = load ptr, ptr %286, align 8
+  %2138 = getelementptr inbounds i8, ptr %2137, i64 48
+  %2139 = load i64, ptr %2138, align 8
+  %2140 = icmp ne i64 %2136, -2
+  %2141 = icmp eq i64 %2139, 0
+  %2142 = select i1 %2140, i1 true, i1 %2141
+  br i1 %2142, label %2150, label %2143
 
-2034:                                             ; preds = %2026
-  %2035 = inttoptr i64 %2030 to ptr
-  %2036 = tail call i64 %2035(ptr noundef %0) #11
-  %2037 = icmp eq i64 %2036, 8
-  %2038 = select i1 %2037, i64 8, i64 %2027
-  %2039 = icmp eq i64 %2036, 1
-  %2040 = zext i1 %2039 to i32
-  br label %2041
+2143:                                             ; preds = %2135
+  %2144 = inttoptr i64 %2139 to ptr
+  %2145 = tail call i64 %2144(ptr noundef %0) #10
+  %2146 = icmp eq i64 %2145, 8
+  %2147 = select i1 %2146, i64 8, i64 %2136
+  %2148 = icmp eq i64 %2145, 1
+  %2149 = zext i1 %2148 to i32
+  br label %2150
 
-2041:                                             ; preds = %2026, %2034
-  %2042 = phi i64 [ %2027, %2026 ], [ %2038, %2034 ]
-  %2043 = phi i32 [ 0, %2026 ], [ %2040, %2034 ]
-  %2044 = icmp eq i32 %2043, 0
-  br i1 %2044, label %2045, label %178, !llvm.loop !35
+2150:                                             ; preds = %2135, %2143
+  %2151 = phi i64 [ %2136, %2135 ], [ %2147, %2143 ]
+  %2152 = phi i32 [ 0, %2135 ], [ %2149, %2143 ]
+  %2153 = icmp eq i32 %2152, 0
+  br i1 %2153, label %2154, label %287, !llvm.loop !36
 
-2045:                                             ; preds = %2041
-  %2046 = getelementptr inbounds i8, ptr %0, i64 320
-  %2047 = load i64, ptr %2046, align 8
-  %2048 = icmp sgt i64 %2047, 0
-  br i1 %2048, label %2049, label %2052
+2154:                                             ; preds = %2150
+  %2155 = getelementptr inbounds i8, ptr %0, i64 768
+  %2156 = getelementptr inbounds i8, ptr %0, i64 320
+  %2157 = load i64, ptr %2156, align 8
+  %2158 = icmp sgt i64 %2157, 0
+  br i1 %2158, label %2159, label %2162
 
-2049:                                             ; preds = %2045
-  %2050 = getelementptr inbounds i8, ptr %0, i64 336
-  %2051 = load ptr, ptr %2050, align 8
-  store double 0x7FF0000000000000, ptr %2051, align 8
-  br label %2052
+2159:                                             ; preds = %2154
+  %2160 = getelementptr inbounds i8, ptr %0, i64 336
+  %2161 = load ptr, ptr %2160, align 8
+  store double 0x7FF0000000000000, ptr %2161, align 8
+  br label %2162
 
-2052:                                             ; preds = %2045, %2049
-  ret i64 %2042
+2162:                                             ; preds = %2154, %2159
+  %2163 = icmp eq i64 %2151, 0
+  %2164 = and i1 %9, %2163
+  br i1 %2164, label %2165, label %2252
+
+2165:                                             ; preds = %2162
+  %2166 = load ptr, ptr %2155, align 8
+  %2167 = getelementptr inbounds i8, ptr %2166, i64 8
+  %2168 = load i64, ptr %2167, align 8
+  %2169 = load ptr, ptr %186, align 8
+  %2170 = load double, ptr %2169, align 8
+  %2171 = tail call double @llvm.fabs.f64(double %2170)
+  %2172 = fmul double %2171, 0x3CC0000000000000
+  %2173 = icmp eq i64 %2168, 0
+  br i1 %2173, label %2252, label %2174
+
+2174:                                             ; preds = %2165
+  %2175 = getelementptr inbounds i8, ptr %0, i64 248
+  %2176 = load i64, ptr %2175, align 8
+  %2177 = icmp sgt i64 %2176, 0
+  br i1 %2177, label %2253, label %2178
+
+2178:                                             ; preds = %2174
+  %2179 = load ptr, ptr %184, align 8
+  %2180 = getelementptr inbounds i8, ptr %2179, i64 40
+  %2181 = load i64, ptr %2180, align 8
+  %2182 = icmp eq i64 %2181, 0
+  br i1 %2182, label %2183, label %2253
+
+2183:                                             ; preds = %2178
+  %2184 = getelementptr inbounds i8, ptr %0, i64 168
+  %2185 = load ptr, ptr %2184, align 8
+  store double %2170, ptr %2185, align 8
+  %2186 = load ptr, ptr %2155, align 8
+  %2187 = load i64, ptr %2186, align 8
+  %2188 = load ptr, ptr %2184, align 8
+  %2189 = load ptr, ptr %185, align 8
+  %2190 = getelementptr inbounds i8, ptr %0, i64 192
+  %2191 = load ptr, ptr %2190, align 8
+  %2192 = getelementptr inbounds i8, ptr %0, i64 792
+  %2193 = load ptr, ptr %2192, align 8
+  %2194 = getelementptr inbounds i8, ptr %0, i64 984
+  %2195 = load ptr, ptr %2194, align 8
+  %2196 = inttoptr i64 %2187 to ptr
+  %2197 = load ptr, ptr %2196, align 8
+  %2198 = tail call i32 %2197(ptr noundef %2188, ptr noundef %2189, ptr noundef %2191, ptr noundef %2193, ptr noundef %2195) #10
+  %2199 = load ptr, ptr %2155, align 8
+  %2200 = getelementptr inbounds i8, ptr %2199, i64 56
+  %2201 = load i64, ptr %2200, align 8
+  %2202 = load ptr, ptr %2184, align 8
+  %2203 = load ptr, ptr %185, align 8
+  %2204 = load ptr, ptr %2190, align 8
+  %2205 = getelementptr inbounds i8, ptr %0, i64 1152
+  %2206 = load ptr, ptr %2205, align 8
+  %2207 = getelementptr inbounds i8, ptr %0, i64 1200
+  %2208 = load ptr, ptr %2207, align 8
+  %2209 = inttoptr i64 %2201 to ptr
+  %2210 = load ptr, ptr %2209, align 8
+  %2211 = tail call i32 %2210(ptr noundef %2202, ptr noundef %2203, ptr noundef %2204, ptr noundef %2206, ptr noundef %2208) #10
+  %2212 = icmp sgt i64 %2168, 0
+  br i1 %2212, label %2213, label %2252
+
+2213:                                             ; preds = %2183
+  %2214 = getelementptr inbounds i8, ptr %0, i64 984
+  %2215 = load ptr, ptr %2214, align 8
+  %2216 = getelementptr inbounds i8, ptr %0, i64 936
+  %2217 = load ptr, ptr %2216, align 8
+  %2218 = getelementptr inbounds i8, ptr %0, i64 1200
+  %2219 = load ptr, ptr %2218, align 8
+  %2220 = load double, ptr %2215, align 8
+  %2221 = load i64, ptr %2217, align 8
+  %2222 = sitofp i64 %2221 to double
+  %2223 = fmul double %2220, %2222
+  %2224 = load double, ptr %2219, align 8
+  %2225 = tail call double @llvm.fabs.f64(double %2224)
+  %2226 = fmul double %2172, %2225
+  %2227 = fcmp ogt double %2223, %2226
+  %2228 = fcmp olt double %2223, 0.000000e+00
+  %2229 = or i1 %2228, %2227
+  br i1 %2229, label %2230, label %2250
+
+2230:                                             ; preds = %2213, %2234
+  %2231 = phi i64 [ %2232, %2234 ], [ 0, %2213 ]
+  %2232 = add nuw nsw i64 %2231, 1
+  %2233 = icmp eq i64 %2232, %2168
+  br i1 %2233, label %2252, label %2234, !llvm.loop !37
+
+2234:                                             ; preds = %2230
+  %2235 = getelementptr inbounds double, ptr %2215, i64 %2232
+  %2236 = load double, ptr %2235, align 8
+  %2237 = getelementptr inbounds i64, ptr %2217, i64 %2232
+  %2238 = load i64, ptr %2237, align 8
+  %2239 = sitofp i64 %2238 to double
+  %2240 = fmul double %2236, %2239
+  %2241 = getelementptr inbounds double, ptr %2219, i64 %2232
+  %2242 = load double, ptr %2241, align 8
+  %2243 = tail call double @llvm.fabs.f64(double %2242)
+  %2244 = fmul double %2172, %2243
+  %2245 = fcmp ogt double %2240, %2244
+  %2246 = fcmp olt double %2240, 0.000000e+00
+  %2247 = or i1 %2246, %2245
+  br i1 %2247, label %2230, label %2248, !llvm.loop !37
+
+2248:                                             ; preds = %2234
+  %2249 = icmp slt i64 %2232, %2168
+  br label %2250
+
+2250:                                             ; preds = %2248, %2213
+  %2251 = phi i1 [ %2249, %2248 ], [ %2212, %2213 ]
+  br i1 %2251, label %2253, label %2252
+
+2252:                                             ; preds = %2230, %2183, %2165, %2250, %2162
+  br label %2253
+
+2253:                                             ; preds = %85, %89, %75, %2174, %2178, %2252, %2250, %181
+  %2254 = phi i64 [ -7, %181 ], [ %2151, %2252 ], [ -8, %2250 ], [ -8, %2178 ], [ -8, %2174 ], [ -7, %75 ], [ -7, %89 ], [ -7, %85 ]
+  ret i64 %2254
 }
 
 
 
-define internal fastcc void @settle(ptr noundef readonly %0) unnamed_addr #2 {
+declare double @llvm.fabs.f64(double) #2
+
+define internal fastcc void @settle(ptr noundef readonly %0) unnamed_addr #3 {
   %2 = getelementptr inbounds i8, ptr %0, i64 192
   %3 = load ptr, ptr %2, align 8
   %4 = load double, ptr %3, align 8
@@ -2738,7 +2996,7 @@ define internal fastcc void @settle(ptr noundef readonly %0) unnamed_addr #2 {
   %26 = select i1 %24, i64 %20, i64 %18
   %27 = select i1 %24, i64 %17, i64 %25
   %28 = icmp slt i64 %27, %26
-  br i1 %28, label %16, label %29, !llvm.loop !8
+  br i1 %28, label %16, label %29, !llvm.loop !9
 
 29:                                               ; preds = %16, %1
   %30 = phi i64 [ 0, %1 ], [ %27, %16 ]
@@ -2773,7 +3031,7 @@ define internal fastcc void @settle(ptr noundef readonly %0) unnamed_addr #2 {
   ret void
 }
 
-define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #2 {
+define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #3 {
   %2 = getelementptr inbounds i8, ptr %0, i64 104
   %3 = load i64, ptr %2, align 8
   %4 = icmp sgt i64 %3, 0
@@ -2847,7 +3105,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #2 {
   %58 = select i1 %56, i64 %53, i64 %50
   %59 = sub nsw i64 %58, %57
   %60 = icmp sgt i64 %59, 1
-  br i1 %60, label %49, label %61, !llvm.loop !36
+  br i1 %60, label %49, label %61, !llvm.loop !38
 
 61:                                               ; preds = %49, %47, %40, %43
   %62 = phi i64 [ %36, %43 ], [ %36, %40 ], [ 0, %47 ], [ %57, %49 ]
@@ -2879,10 +3137,10 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #2 {
   %86 = add nuw nsw i64 %15, 1
   %87 = load i64, ptr %2, align 8
   %88 = icmp slt i64 %86, %87
-  br i1 %88, label %14, label %13, !llvm.loop !37
+  br i1 %88, label %14, label %13, !llvm.loop !39
 }
 
-define internal fastcc void @norm_to(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, ptr noundef readonly %3, i64 noundef %4) unnamed_addr #3 {
+define internal fastcc void @norm_to(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, ptr noundef readonly %3, i64 noundef %4) unnamed_addr #4 {
   %6 = icmp sgt i64 %4, 0
   br i1 %6, label %7, label %13
 
@@ -2926,18 +3184,16 @@ define internal fastcc void @norm_to(ptr noundef writeonly %0, ptr noundef reado
   %39 = fadd double %19, %38
   %40 = add nuw nsw i64 %20, 1
   %41 = icmp eq i64 %40, %4
-  br i1 %41, label %13, label %18, !llvm.loop !38
+  br i1 %41, label %13, label %18, !llvm.loop !40
 }
 
-declare double @llvm.sqrt.f64(double) #4
+declare double @llvm.sqrt.f64(double) #2
 
-declare double @llvm.fabs.f64(double) #4
+declare double @llvm.fma.f64(double, double, double) #2
 
-declare double @llvm.fma.f64(double, double, double) #4
+declare double @llvm.rint.f64(double) #2
 
-declare double @llvm.rint.f64(double) #4
-
-declare double @llvm.ceil.f64(double) #4
+declare double @llvm.ceil.f64(double) #2
 
 define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, ptr noundef readonly %3, ptr noundef readonly %4, ptr noundef readonly %5, i64 noundef %6, i64 noundef %7, i64 noundef %8) unnamed_addr #5 {
   %10 = load <8 x double>, ptr %2, align 8
@@ -2994,7 +3250,7 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   %51 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %40, <8 x double> %50, <8 x double> %32)
   %52 = add nuw nsw i64 %33, 1
   %53 = icmp eq i64 %52, %6
-  br i1 %53, label %54, label %28, !llvm.loop !39
+  br i1 %53, label %54, label %28, !llvm.loop !41
 
 54:                                               ; preds = %28, %22
   %55 = phi <8 x double> [ zeroinitializer, %22 ], [ %48, %28 ]
@@ -3043,7 +3299,7 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   %96 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %85, <8 x double> %95, <8 x double> %76)
   %97 = add nuw nsw i64 %77, 1
   %98 = icmp slt i64 %97, %15
-  br i1 %98, label %72, label %99, !llvm.loop !40
+  br i1 %98, label %72, label %99, !llvm.loop !42
 
 99:                                               ; preds = %72, %54
   %100 = phi <8 x double> [ %67, %54 ], [ %93, %72 ]
@@ -3059,7 +3315,7 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   store <8 x double> %103, ptr %106, align 8
   %107 = add nuw nsw i64 %23, 32
   %108 = icmp sgt i64 %107, %11
-  br i1 %108, label %16, label %22, !llvm.loop !41
+  br i1 %108, label %16, label %22, !llvm.loop !43
 
 109:                                              ; preds = %19, %149
   %110 = phi i64 [ %17, %19 ], [ %151, %149 ]
@@ -3090,7 +3346,7 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   %131 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %126, <8 x double> %130, <8 x double> %121)
   %132 = add nuw nsw i64 %122, 1
   %133 = icmp eq i64 %132, %6
-  br i1 %133, label %114, label %120, !llvm.loop !39
+  br i1 %133, label %114, label %120, !llvm.loop !41
 
 134:                                              ; preds = %114, %134
   %135 = phi <8 x double> [ %146, %134 ], [ %118, %114 ]
@@ -3107,20 +3363,20 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   %146 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %141, <8 x double> %145, <8 x double> %135)
   %147 = add nuw nsw i64 %136, 1
   %148 = icmp slt i64 %147, %21
-  br i1 %148, label %134, label %149, !llvm.loop !40
+  br i1 %148, label %134, label %149, !llvm.loop !42
 
 149:                                              ; preds = %134, %114
   %150 = phi <8 x double> [ %118, %114 ], [ %146, %134 ]
   store <8 x double> %150, ptr %111, align 8
   %151 = add nuw nsw i64 %110, 8
   %152 = icmp slt i64 %151, %11
-  br i1 %152, label %109, label %153, !llvm.loop !42
+  br i1 %152, label %109, label %153, !llvm.loop !44
 
 153:                                              ; preds = %149, %16
   ret void
 }
 
-declare <8 x double> @llvm.fma.v8f64(<8 x double>, <8 x double>, <8 x double>) #4
+declare <8 x double> @llvm.fma.v8f64(<8 x double>, <8 x double>, <8 x double>) #2
 
 declare void @llvm.memset.p0.i64(ptr writeonly, i8, i64, i1 immarg) #6
 
@@ -3195,7 +3451,7 @@ define internal fastcc double @knot_after(ptr noundef readonly %0, double nounde
   %52 = select i1 %50, i64 %47, i64 %44
   %53 = sub nsw i64 %52, %51
   %54 = icmp sgt i64 %53, 1
-  br i1 %54, label %43, label %55, !llvm.loop !36
+  br i1 %54, label %43, label %55, !llvm.loop !38
 
 55:                                               ; preds = %43, %40, %32, %34
   %56 = phi i64 [ 0, %34 ], [ 0, %32 ], [ 0, %40 ], [ %51, %43 ]
@@ -3222,7 +3478,7 @@ define internal fastcc double @knot_after(ptr noundef readonly %0, double nounde
   %69 = phi double [ %65, %67 ], [ %19, %63 ], [ %19, %58 ]
   %70 = add nuw nsw i64 %20, 1
   %71 = icmp eq i64 %70, %7
-  br i1 %71, label %16, label %18, !llvm.loop !43
+  br i1 %71, label %16, label %18, !llvm.loop !45
 }
 
 define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, i64 noundef %3, i64 noundef %4, ptr noundef readonly %5, i64 noundef %6) unnamed_addr #8 {
@@ -3259,7 +3515,7 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   store <8 x double> %29, ptr %26, align 8
   %30 = add nuw nsw i64 %21, 8
   %31 = icmp slt i64 %30, %10
-  br i1 %31, label %20, label %19, !llvm.loop !44
+  br i1 %31, label %20, label %19, !llvm.loop !46
 
 32:                                               ; preds = %20, %32
   %33 = phi i64 [ %42, %32 ], [ %16, %20 ]
@@ -3273,7 +3529,7 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   %41 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %39, <8 x double> %34, <8 x double> %40)
   %42 = add nsw i64 %33, -1
   %43 = icmp sgt i64 %33, 0
-  br i1 %43, label %32, label %24, !llvm.loop !45
+  br i1 %43, label %32, label %24, !llvm.loop !47
 }
 
 declare i1 @llvm.is.fpclass.f64(double, i32 immarg) #9
@@ -3282,9 +3538,9 @@ declare i64 @llvm.smin.i64(i64, i64) #9
 
 attributes #0 = { nounwind }
 attributes #1 = { nounwind willreturn }
-attributes #2 = { noinline nounwind }
+attributes #2 = { nounwind willreturn memory(none) }
 attributes #3 = { noinline nounwind }
-attributes #4 = { nounwind willreturn memory(none) }
+attributes #4 = { noinline nounwind }
 attributes #5 = { noinline nounwind }
 attributes #6 = { nounwind willreturn }
 attributes #7 = { noinline nounwind }
@@ -3318,8 +3574,8 @@ attributes #12 = { nounwind }
 !20 = distinct !{!20, !4, !5}
 !21 = distinct !{!21, !4, !5}
 !22 = distinct !{!22, !4, !5}
-!23 = distinct !{!23, !5}
-!24 = distinct !{!24, !4, !5}
+!23 = distinct !{!23, !4, !5}
+!24 = distinct !{!24, !5}
 !25 = distinct !{!25, !4, !5}
 !26 = distinct !{!26, !4, !5}
 !27 = distinct !{!27, !4, !5}
@@ -3341,3 +3597,5 @@ attributes #12 = { nounwind }
 !43 = distinct !{!43, !4, !5}
 !44 = distinct !{!44, !4, !5}
 !45 = distinct !{!45, !4, !5}
+!46 = distinct !{!46, !4, !5}
+!47 = distinct !{!47, !4, !5}

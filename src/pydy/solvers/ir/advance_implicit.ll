@@ -1,4 +1,4 @@
-; sources d07328dc3493161394a75329f5eac0fd3f1fcc41f52814ce3f4a51b22a99ac59
+; sources 5d595339b19d20fe76576b1cf111e0860a366f03e969b35c8485e8eb7265b469
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 @NODES = internal unnamed_addr constant [3 x double] [double 0x3FC3D8B64657CAEA, double 0x3FE4A36C0803A6DF, double 1.000000e+00], align 16
@@ -19,7 +19,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %13 = alloca [3 x double], align 16
   %14 = alloca [3 x double], align 16
   %15 = icmp eq i64 %2, 1
-  br i1 %15, label %16, label %80
+  br i1 %15, label %16, label %189
 
 16:                                               ; preds = %3
   %17 = getelementptr inbounds i8, ptr %0, i64 144
@@ -31,3451 +31,3709 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
 
 22:                                               ; preds = %16
   %23 = getelementptr inbounds i8, ptr %0, i64 360
-  br label %31
+  br label %32
 
-24:                                               ; preds = %31, %16
-  %25 = getelementptr inbounds i8, ptr %0, i64 632
-  %26 = load i64, ptr %25, align 8
-  %27 = icmp sgt i64 %26, 0
-  br i1 %27, label %28, label %42
+24:                                               ; preds = %32, %16
+  %25 = getelementptr inbounds i8, ptr %0, i64 144
+  %26 = getelementptr inbounds i8, ptr %0, i64 632
+  %27 = load i64, ptr %26, align 8
+  %28 = icmp sgt i64 %27, 0
+  br i1 %28, label %29, label %43
 
-28:                                               ; preds = %24
-  %29 = getelementptr inbounds i8, ptr %0, i64 624
-  %30 = getelementptr inbounds i8, ptr %0, i64 1272
-  br label %49
+29:                                               ; preds = %24
+  %30 = getelementptr inbounds i8, ptr %0, i64 624
+  %31 = getelementptr inbounds i8, ptr %0, i64 1272
+  br label %50
 
-31:                                               ; preds = %22, %31
-  %32 = phi i64 [ 0, %22 ], [ %37, %31 ]
-  %33 = getelementptr inbounds double, ptr %1, i64 %32
-  %34 = load double, ptr %33, align 8
-  %35 = load ptr, ptr %23, align 8
-  %36 = getelementptr inbounds double, ptr %35, i64 %32
-  store double %34, ptr %36, align 8
-  %37 = add nuw nsw i64 %32, 1
-  %38 = load ptr, ptr %17, align 8
-  %39 = getelementptr inbounds i8, ptr %38, i64 8
-  %40 = load i64, ptr %39, align 8
-  %41 = icmp slt i64 %37, %40
-  br i1 %41, label %31, label %24, !llvm.loop !3
+32:                                               ; preds = %22, %32
+  %33 = phi i64 [ 0, %22 ], [ %38, %32 ]
+  %34 = getelementptr inbounds double, ptr %1, i64 %33
+  %35 = load double, ptr %34, align 8
+  %36 = load ptr, ptr %23, align 8
+  %37 = getelementptr inbounds double, ptr %36, i64 %33
+  store double %35, ptr %37, align 8
+  %38 = add nuw nsw i64 %33, 1
+  %39 = load ptr, ptr %17, align 8
+  %40 = getelementptr inbounds i8, ptr %39, i64 8
+  %41 = load i64, ptr %40, align 8
+  %42 = icmp slt i64 %38, %41
+  br i1 %42, label %32, label %24, !llvm.loop !3
 
-42:                                               ; preds = %49, %24
-  %43 = getelementptr inbounds i8, ptr %0, i64 656
-  %44 = load i64, ptr %43, align 8
-  %45 = icmp sgt i64 %44, 0
-  br i1 %45, label %46, label %59
+43:                                               ; preds = %50, %24
+  %44 = getelementptr inbounds i8, ptr %0, i64 648
+  %45 = getelementptr inbounds i8, ptr %0, i64 656
+  %46 = load i64, ptr %45, align 8
+  %47 = icmp sgt i64 %46, 0
+  br i1 %47, label %48, label %60
 
-46:                                               ; preds = %42
-  %47 = getelementptr inbounds i8, ptr %0, i64 648
-  %48 = getelementptr inbounds i8, ptr %0, i64 1296
-  br label %65
+48:                                               ; preds = %43
+  %49 = getelementptr inbounds i8, ptr %0, i64 1296
+  br label %66
 
-49:                                               ; preds = %28, %49
-  %50 = phi i64 [ 0, %28 ], [ %56, %49 ]
-  %51 = load ptr, ptr %30, align 8
-  %52 = getelementptr inbounds double, ptr %51, i64 %50
-  %53 = load double, ptr %52, align 8
-  %54 = load ptr, ptr %29, align 8
-  %55 = getelementptr inbounds double, ptr %54, i64 %50
-  store double %53, ptr %55, align 8
-  %56 = add nuw nsw i64 %50, 1
-  %57 = load i64, ptr %25, align 8
-  %58 = icmp slt i64 %56, %57
-  br i1 %58, label %49, label %42, !llvm.loop !6
+50:                                               ; preds = %29, %50
+  %51 = phi i64 [ 0, %29 ], [ %57, %50 ]
+  %52 = load ptr, ptr %31, align 8
+  %53 = getelementptr inbounds double, ptr %52, i64 %51
+  %54 = load double, ptr %53, align 8
+  %55 = load ptr, ptr %30, align 8
+  %56 = getelementptr inbounds double, ptr %55, i64 %51
+  store double %54, ptr %56, align 8
+  %57 = add nuw nsw i64 %51, 1
+  %58 = load i64, ptr %26, align 8
+  %59 = icmp slt i64 %57, %58
+  br i1 %59, label %50, label %43, !llvm.loop !6
 
-59:                                               ; preds = %65, %42
-  %60 = getelementptr inbounds i8, ptr %0, i64 768
-  %61 = load ptr, ptr %60, align 8
-  %62 = getelementptr inbounds i8, ptr %61, i64 8
-  %63 = load i64, ptr %62, align 8
-  %64 = icmp sgt i64 %63, 0
-  br i1 %64, label %75, label %80
+60:                                               ; preds = %66, %43
+  %61 = getelementptr inbounds i8, ptr %0, i64 768
+  %62 = load ptr, ptr %61, align 8
+  %63 = getelementptr inbounds i8, ptr %62, i64 8
+  %64 = load i64, ptr %63, align 8
+  %65 = icmp sgt i64 %64, 0
+  br i1 %65, label %76, label %81
 
-65:                                               ; preds = %46, %65
-  %66 = phi i64 [ 0, %46 ], [ %72, %65 ]
-  %67 = load ptr, ptr %48, align 8
-  %68 = getelementptr inbounds i64, ptr %67, i64 %66
-  %69 = load i64, ptr %68, align 8
-  %70 = load ptr, ptr %47, align 8
-  %71 = getelementptr inbounds i64, ptr %70, i64 %66
-  store i64 %69, ptr %71, align 8
-  %72 = add nuw nsw i64 %66, 1
-  %73 = load i64, ptr %43, align 8
-  %74 = icmp slt i64 %72, %73
-  br i1 %74, label %65, label %59, !llvm.loop !7
+66:                                               ; preds = %48, %66
+  %67 = phi i64 [ 0, %48 ], [ %73, %66 ]
+  %68 = load ptr, ptr %49, align 8
+  %69 = getelementptr inbounds i64, ptr %68, i64 %67
+  %70 = load i64, ptr %69, align 8
+  %71 = load ptr, ptr %44, align 8
+  %72 = getelementptr inbounds i64, ptr %71, i64 %67
+  store i64 %70, ptr %72, align 8
+  %73 = add nuw nsw i64 %67, 1
+  %74 = load i64, ptr %45, align 8
+  %75 = icmp slt i64 %73, %74
+  br i1 %75, label %66, label %60, !llvm.loop !7
 
-75:                                               ; preds = %59
-  %76 = getelementptr inbounds i8, ptr %0, i64 984
-  %77 = load ptr, ptr %76, align 8
-  %78 = mul i64 %63, 88
-  %79 = getelementptr inbounds i8, ptr %77, i64 %78
-  store double 0x7FF8000000000000, ptr %79, align 8
-  br label %80
+76:                                               ; preds = %60
+  %77 = getelementptr inbounds i8, ptr %0, i64 984
+  %78 = load ptr, ptr %77, align 8
+  %79 = mul i64 %64, 88
+  %80 = getelementptr inbounds i8, ptr %78, i64 %79
+  store double 0x7FF8000000000000, ptr %80, align 8
+  br label %81
 
-80:                                               ; preds = %75, %59, %3
-  %81 = getelementptr inbounds i8, ptr %0, i64 144
-  %82 = getelementptr inbounds i8, ptr %0, i64 360
-  %83 = getelementptr inbounds i8, ptr %0, i64 1368
-  %84 = getelementptr inbounds i8, ptr %0, i64 624
-  %85 = getelementptr inbounds i8, ptr %0, i64 648
-  %86 = getelementptr inbounds i8, ptr %0, i64 672
-  %87 = getelementptr inbounds i8, ptr %0, i64 680
-  %88 = getelementptr inbounds i8, ptr %0, i64 576
-  %89 = getelementptr inbounds i8, ptr %0, i64 696
-  %90 = getelementptr inbounds i8, ptr %0, i64 768
-  %91 = getelementptr inbounds i8, ptr %0, i64 320
-  %92 = getelementptr inbounds i8, ptr %0, i64 312
-  %93 = getelementptr inbounds i8, ptr %0, i64 336
-  %94 = getelementptr inbounds i8, ptr %0, i64 528
-  %95 = getelementptr inbounds i8, ptr %0, i64 168
-  %96 = getelementptr inbounds i8, ptr %0, i64 248
-  %97 = getelementptr inbounds i8, ptr %0, i64 192
-  %98 = getelementptr inbounds i8, ptr %0, i64 216
-  %99 = getelementptr inbounds i8, ptr %0, i64 1392
-  %100 = getelementptr inbounds i8, ptr %0, i64 528
-  %101 = getelementptr inbounds i8, ptr %0, i64 1320
-  %102 = getelementptr inbounds i8, ptr %0, i64 320
-  %103 = getelementptr inbounds i8, ptr %0, i64 312
-  %104 = getelementptr inbounds i8, ptr %0, i64 336
-  %105 = getelementptr inbounds i8, ptr %0, i64 1440
-  %106 = getelementptr inbounds i8, ptr %0, i64 1464
-  %107 = getelementptr inbounds i8, ptr %0, i64 168
-  %108 = getelementptr inbounds i8, ptr %0, i64 248
-  %109 = getelementptr inbounds i8, ptr %0, i64 192
-  %110 = getelementptr inbounds i8, ptr %0, i64 1416
-  %111 = getelementptr inbounds i8, ptr %0, i64 408
-  %112 = getelementptr inbounds i8, ptr %0, i64 408
-  %113 = getelementptr inbounds i8, ptr %0, i64 384
-  %114 = getelementptr inbounds i8, ptr %0, i64 168
-  %115 = getelementptr inbounds i8, ptr %0, i64 248
-  %116 = getelementptr inbounds i8, ptr %0, i64 192
-  %117 = getelementptr inbounds i8, ptr %0, i64 216
-  %118 = getelementptr inbounds i8, ptr %0, i64 528
-  %119 = getelementptr inbounds i8, ptr %0, i64 1448
-  %120 = getelementptr inbounds i8, ptr %0, i64 1392
-  %121 = getelementptr inbounds i8, ptr %0, i64 1544
-  %122 = getelementptr inbounds i8, ptr %0, i64 1488
-  %123 = getelementptr inbounds i8, ptr %0, i64 1512
-  %124 = getelementptr inbounds i8, ptr %0, i64 1440
-  %125 = getelementptr inbounds i8, ptr %0, i64 1536
-  %126 = getelementptr inbounds i8, ptr %0, i64 1560
-  %127 = getelementptr inbounds i8, ptr %0, i64 1656
-  %128 = getelementptr inbounds i8, ptr %0, i64 1584
-  %129 = getelementptr inbounds i8, ptr %0, i64 1608
-  %130 = getelementptr inbounds i8, ptr %0, i64 408
-  %131 = getelementptr inbounds i8, ptr %0, i64 1632
-  %132 = getelementptr inbounds i8, ptr %0, i64 408
-  %133 = getelementptr inbounds i8, ptr %0, i64 168
-  %134 = getelementptr inbounds i8, ptr %0, i64 248
-  %135 = getelementptr inbounds i8, ptr %0, i64 192
-  %136 = getelementptr inbounds i8, ptr %0, i64 216
-  %137 = getelementptr inbounds i8, ptr %0, i64 1632
-  %138 = getelementptr inbounds i8, ptr %0, i64 1680
-  %139 = getelementptr inbounds i8, ptr %0, i64 1704
-  %140 = getelementptr inbounds i8, ptr %0, i64 600
-  %141 = getelementptr inbounds i8, ptr %0, i64 1536
-  %142 = getelementptr inbounds i8, ptr %0, i64 1544
-  %143 = getelementptr inbounds i8, ptr %0, i64 1680
-  %144 = getelementptr inbounds i8, ptr %0, i64 1704
-  %145 = getelementptr inbounds i8, ptr %0, i64 1488
-  %146 = getelementptr inbounds i8, ptr %0, i64 1512
-  %147 = getelementptr inbounds i8, ptr %0, i64 1560
-  %148 = getelementptr inbounds i8, ptr %0, i64 600
-  %149 = getelementptr inbounds i8, ptr %10, i64 8
-  %150 = getelementptr inbounds i8, ptr %10, i64 16
-  %151 = getelementptr inbounds i8, ptr %0, i64 1448
-  %152 = getelementptr inbounds i8, ptr %0, i64 1440
-  %153 = getelementptr inbounds i8, ptr %0, i64 384
-  %154 = getelementptr inbounds i8, ptr %0, i64 1728
-  %155 = getelementptr inbounds i8, ptr %0, i64 1680
-  %156 = getelementptr inbounds i8, ptr %0, i64 528
-  %157 = getelementptr inbounds i8, ptr %0, i64 1536
-  %158 = getelementptr inbounds i8, ptr %0, i64 1544
-  %159 = getelementptr inbounds i8, ptr %0, i64 1488
-  %160 = getelementptr inbounds i8, ptr %0, i64 384
-  %161 = getelementptr inbounds i8, ptr %0, i64 600
-  %162 = getelementptr inbounds i8, ptr %0, i64 600
-  %163 = getelementptr inbounds i8, ptr %0, i64 408
-  %164 = getelementptr inbounds i8, ptr %0, i64 408
-  %165 = getelementptr inbounds i8, ptr %0, i64 1632
-  %166 = getelementptr inbounds i8, ptr %0, i64 168
-  %167 = getelementptr inbounds i8, ptr %0, i64 248
-  %168 = getelementptr inbounds i8, ptr %0, i64 192
-  %169 = getelementptr inbounds i8, ptr %0, i64 216
-  %170 = getelementptr inbounds i8, ptr %0, i64 600
-  %171 = getelementptr inbounds i8, ptr %0, i64 600
-  %172 = getelementptr inbounds i8, ptr %0, i64 384
-  %173 = getelementptr inbounds i8, ptr %0, i64 1392
-  %174 = getelementptr inbounds i8, ptr %0, i64 368
-  %175 = getelementptr inbounds i8, ptr %0, i64 1584
-  %176 = getelementptr inbounds i8, ptr %0, i64 552
-  %177 = getelementptr inbounds i8, ptr %0, i64 1656
-  %178 = getelementptr inbounds i8, ptr %0, i64 1392
-  %179 = getelementptr inbounds i8, ptr %13, i64 8
-  %180 = getelementptr inbounds i8, ptr %13, i64 16
-  %181 = getelementptr inbounds i8, ptr %14, i64 8
-  %182 = getelementptr inbounds i8, ptr %14, i64 16
-  %183 = getelementptr inbounds i8, ptr %0, i64 384
-  %184 = getelementptr inbounds i8, ptr %0, i64 1344
-  %185 = getelementptr inbounds i8, ptr %0, i64 1360
-  %186 = getelementptr inbounds i8, ptr %0, i64 384
-  %187 = getelementptr inbounds i8, ptr %0, i64 552
-  %188 = getelementptr inbounds i8, ptr %0, i64 368
-  %189 = getelementptr inbounds i8, ptr %0, i64 888
-  %190 = getelementptr inbounds i8, ptr %0, i64 1584
-  %191 = getelementptr inbounds i8, ptr %0, i64 384
-  %192 = getelementptr inbounds i8, ptr %0, i64 168
-  %193 = getelementptr inbounds i8, ptr %0, i64 984
-  %194 = getelementptr inbounds i8, ptr %0, i64 912
-  %195 = getelementptr inbounds i8, ptr %0, i64 864
-  %196 = getelementptr inbounds i8, ptr %0, i64 936
-  %197 = getelementptr inbounds i8, ptr %0, i64 456
-  %198 = getelementptr inbounds i8, ptr %0, i64 408
-  %199 = getelementptr inbounds i8, ptr %0, i64 456
-  %200 = getelementptr inbounds i8, ptr %0, i64 368
-  %201 = getelementptr inbounds i8, ptr %0, i64 384
-  %202 = getelementptr inbounds i8, ptr %0, i64 384
-  %203 = getelementptr inbounds i8, ptr %0, i64 384
-  %204 = getelementptr inbounds i8, ptr %0, i64 368
-  %205 = getelementptr inbounds i8, ptr %0, i64 384
-  %206 = getelementptr inbounds i8, ptr %0, i64 248
-  %207 = getelementptr inbounds i8, ptr %0, i64 384
-  %208 = getelementptr inbounds i8, ptr %0, i64 336
+81:                                               ; preds = %76, %60
+  %82 = load ptr, ptr %44, align 8
+  %83 = getelementptr inbounds i8, ptr %82, i64 56
+  %84 = load i64, ptr %83, align 8
+  %85 = icmp sgt i64 %84, 0
+  br i1 %85, label %86, label %2884
+
+86:                                               ; preds = %81
+  %87 = load ptr, ptr %61, align 8
+  %88 = getelementptr inbounds i8, ptr %87, i64 8
+  %89 = load i64, ptr %88, align 8
+  %90 = icmp eq i64 %89, 0
+  br i1 %90, label %189, label %91
+
+91:                                               ; preds = %86
+  %92 = getelementptr inbounds i8, ptr %0, i64 248
+  %93 = load i64, ptr %92, align 8
+  %94 = icmp sgt i64 %93, 0
+  br i1 %94, label %2884, label %95
+
+95:                                               ; preds = %91
+  %96 = load ptr, ptr %25, align 8
+  %97 = getelementptr inbounds i8, ptr %96, i64 40
+  %98 = load i64, ptr %97, align 8
+  %99 = icmp eq i64 %98, 0
+  br i1 %99, label %100, label %2884
+
+100:                                              ; preds = %95
+  %101 = getelementptr inbounds i8, ptr %0, i64 624
+  %102 = load ptr, ptr %101, align 8
+  %103 = load double, ptr %102, align 8
+  %104 = getelementptr inbounds i8, ptr %0, i64 168
+  %105 = load ptr, ptr %104, align 8
+  store double %103, ptr %105, align 8
+  %106 = load ptr, ptr %61, align 8
+  %107 = load i64, ptr %106, align 8
+  %108 = load ptr, ptr %104, align 8
+  %109 = getelementptr inbounds i8, ptr %0, i64 360
+  %110 = load ptr, ptr %109, align 8
+  %111 = getelementptr inbounds i8, ptr %0, i64 192
+  %112 = load ptr, ptr %111, align 8
+  %113 = getelementptr inbounds i8, ptr %0, i64 792
+  %114 = load ptr, ptr %113, align 8
+  %115 = getelementptr inbounds i8, ptr %0, i64 984
+  %116 = load ptr, ptr %115, align 8
+  %117 = inttoptr i64 %107 to ptr
+  %118 = load ptr, ptr %117, align 8
+  %119 = tail call i32 %118(ptr noundef %108, ptr noundef %110, ptr noundef %112, ptr noundef %114, ptr noundef %116) #10
+  %120 = load ptr, ptr %61, align 8
+  %121 = getelementptr inbounds i8, ptr %120, i64 56
+  %122 = load i64, ptr %121, align 8
+  %123 = load ptr, ptr %104, align 8
+  %124 = load ptr, ptr %109, align 8
+  %125 = load ptr, ptr %111, align 8
+  %126 = getelementptr inbounds i8, ptr %0, i64 1152
+  %127 = load ptr, ptr %126, align 8
+  %128 = getelementptr inbounds i8, ptr %0, i64 1200
+  %129 = load ptr, ptr %128, align 8
+  %130 = inttoptr i64 %122 to ptr
+  %131 = load ptr, ptr %130, align 8
+  %132 = tail call i32 %131(ptr noundef %123, ptr noundef %124, ptr noundef %125, ptr noundef %127, ptr noundef %129) #10
+  %133 = getelementptr inbounds i8, ptr %0, i64 864
+  %134 = icmp slt i64 %89, 1
+  br i1 %134, label %187, label %135
+
+135:                                              ; preds = %100
+  %136 = getelementptr inbounds i8, ptr %0, i64 984
+  %137 = getelementptr inbounds i8, ptr %0, i64 1200
+  %138 = getelementptr inbounds i8, ptr %0, i64 1200
+  %139 = getelementptr inbounds i8, ptr %0, i64 936
+  %140 = getelementptr inbounds i8, ptr %0, i64 960
+  br label %141
+
+141:                                              ; preds = %135, %172
+  %142 = phi i1 [ %134, %135 ], [ %185, %172 ]
+  %143 = phi i64 [ 0, %135 ], [ %184, %172 ]
+  %144 = load ptr, ptr %136, align 8
+  %145 = getelementptr inbounds double, ptr %144, i64 %143
+  %146 = load double, ptr %145, align 8
+  %147 = fcmp oeq double %146, 0.000000e+00
+  br i1 %147, label %148, label %152
+
+148:                                              ; preds = %141
+  %149 = load ptr, ptr %137, align 8
+  %150 = getelementptr inbounds double, ptr %149, i64 %143
+  %151 = load double, ptr %150, align 8
+  br label %152
+
+152:                                              ; preds = %148, %141
+  %153 = phi double [ %151, %148 ], [ %146, %141 ]
+  br i1 %147, label %163, label %154
+
+154:                                              ; preds = %152
+  %155 = load ptr, ptr %138, align 8
+  %156 = getelementptr double, ptr %155, i64 %89
+  %157 = getelementptr double, ptr %156, i64 %143
+  %158 = load double, ptr %157, align 8
+  %159 = tail call double @llvm.fabs.f64(double %146)
+  %160 = fmul double %158, 0x3CE0000000000000
+  %161 = fcmp ole double %159, %160
+  %162 = zext i1 %161 to i32
+  br label %163
+
+163:                                              ; preds = %152, %154
+  %164 = phi i32 [ 1, %152 ], [ %162, %154 ]
+  %165 = icmp eq i32 %164, 0
+  br i1 %165, label %172, label %166
+
+166:                                              ; preds = %163
+  %167 = load ptr, ptr %133, align 8
+  %168 = getelementptr inbounds i64, ptr %167, i64 %143
+  %169 = load i64, ptr %168, align 8
+  %170 = and i64 %169, 2
+  %171 = icmp eq i64 %170, 0
+  br i1 %171, label %187, label %172
+
+172:                                              ; preds = %166, %163
+  %173 = tail call double @llvm.fabs.f64(double %153)
+  %174 = fcmp ueq double %173, 0x7FF0000000000000
+  %175 = fcmp ogt double %153, 0.000000e+00
+  %176 = fcmp olt double %153, 0.000000e+00
+  %177 = sext i1 %176 to i64
+  %178 = select i1 %175, i64 1, i64 %177
+  %179 = select i1 %174, i64 0, i64 %178
+  %180 = load ptr, ptr %139, align 8
+  %181 = getelementptr inbounds i64, ptr %180, i64 %143
+  store i64 %179, ptr %181, align 8
+  %182 = load ptr, ptr %140, align 8
+  %183 = getelementptr inbounds i64, ptr %182, i64 %143
+  store i64 0, ptr %183, align 8
+  %184 = add nuw nsw i64 %143, 1
+  %185 = icmp sge i64 %184, %89
+  %186 = icmp eq i64 %184, %89
+  br i1 %186, label %187, label %141, !llvm.loop !8
+
+187:                                              ; preds = %166, %172, %100
+  %188 = phi i1 [ %134, %100 ], [ %185, %172 ], [ %142, %166 ]
+  br i1 %188, label %189, label %2884
+
+189:                                              ; preds = %86, %187, %3
+  %190 = getelementptr inbounds i8, ptr %0, i64 144
+  %191 = getelementptr inbounds i8, ptr %0, i64 360
+  %192 = getelementptr inbounds i8, ptr %0, i64 1368
+  %193 = getelementptr inbounds i8, ptr %0, i64 624
+  %194 = getelementptr inbounds i8, ptr %0, i64 648
+  %195 = getelementptr inbounds i8, ptr %0, i64 672
+  %196 = getelementptr inbounds i8, ptr %0, i64 680
+  %197 = getelementptr inbounds i8, ptr %0, i64 576
+  %198 = getelementptr inbounds i8, ptr %0, i64 696
+  %199 = getelementptr inbounds i8, ptr %0, i64 768
+  %200 = getelementptr inbounds i8, ptr %0, i64 320
+  %201 = getelementptr inbounds i8, ptr %0, i64 312
+  %202 = getelementptr inbounds i8, ptr %0, i64 336
+  %203 = getelementptr inbounds i8, ptr %0, i64 528
+  %204 = getelementptr inbounds i8, ptr %0, i64 168
+  %205 = getelementptr inbounds i8, ptr %0, i64 248
+  %206 = getelementptr inbounds i8, ptr %0, i64 192
+  %207 = getelementptr inbounds i8, ptr %0, i64 216
+  %208 = getelementptr inbounds i8, ptr %0, i64 1392
   %209 = getelementptr inbounds i8, ptr %0, i64 528
-  %210 = getelementptr inbounds i8, ptr %0, i64 168
-  %211 = getelementptr inbounds i8, ptr %0, i64 248
-  %212 = getelementptr inbounds i8, ptr %0, i64 192
-  %213 = getelementptr inbounds i8, ptr %0, i64 216
-  %214 = getelementptr inbounds i8, ptr %0, i64 248
-  %215 = getelementptr inbounds i8, ptr %0, i64 768
-  br label %216
+  %210 = getelementptr inbounds i8, ptr %0, i64 1320
+  %211 = getelementptr inbounds i8, ptr %0, i64 320
+  %212 = getelementptr inbounds i8, ptr %0, i64 312
+  %213 = getelementptr inbounds i8, ptr %0, i64 336
+  %214 = getelementptr inbounds i8, ptr %0, i64 1440
+  %215 = getelementptr inbounds i8, ptr %0, i64 1464
+  %216 = getelementptr inbounds i8, ptr %0, i64 168
+  %217 = getelementptr inbounds i8, ptr %0, i64 248
+  %218 = getelementptr inbounds i8, ptr %0, i64 192
+  %219 = getelementptr inbounds i8, ptr %0, i64 1416
+  %220 = getelementptr inbounds i8, ptr %0, i64 408
+  %221 = getelementptr inbounds i8, ptr %0, i64 408
+  %222 = getelementptr inbounds i8, ptr %0, i64 384
+  %223 = getelementptr inbounds i8, ptr %0, i64 168
+  %224 = getelementptr inbounds i8, ptr %0, i64 248
+  %225 = getelementptr inbounds i8, ptr %0, i64 192
+  %226 = getelementptr inbounds i8, ptr %0, i64 216
+  %227 = getelementptr inbounds i8, ptr %0, i64 528
+  %228 = getelementptr inbounds i8, ptr %0, i64 1448
+  %229 = getelementptr inbounds i8, ptr %0, i64 1392
+  %230 = getelementptr inbounds i8, ptr %0, i64 1544
+  %231 = getelementptr inbounds i8, ptr %0, i64 1488
+  %232 = getelementptr inbounds i8, ptr %0, i64 1512
+  %233 = getelementptr inbounds i8, ptr %0, i64 1440
+  %234 = getelementptr inbounds i8, ptr %0, i64 1536
+  %235 = getelementptr inbounds i8, ptr %0, i64 1560
+  %236 = getelementptr inbounds i8, ptr %0, i64 1656
+  %237 = getelementptr inbounds i8, ptr %0, i64 1584
+  %238 = getelementptr inbounds i8, ptr %0, i64 1608
+  %239 = getelementptr inbounds i8, ptr %0, i64 408
+  %240 = getelementptr inbounds i8, ptr %0, i64 1632
+  %241 = getelementptr inbounds i8, ptr %0, i64 408
+  %242 = getelementptr inbounds i8, ptr %0, i64 168
+  %243 = getelementptr inbounds i8, ptr %0, i64 248
+  %244 = getelementptr inbounds i8, ptr %0, i64 192
+  %245 = getelementptr inbounds i8, ptr %0, i64 216
+  %246 = getelementptr inbounds i8, ptr %0, i64 1632
+  %247 = getelementptr inbounds i8, ptr %0, i64 1680
+  %248 = getelementptr inbounds i8, ptr %0, i64 1704
+  %249 = getelementptr inbounds i8, ptr %0, i64 600
+  %250 = getelementptr inbounds i8, ptr %0, i64 1536
+  %251 = getelementptr inbounds i8, ptr %0, i64 1544
+  %252 = getelementptr inbounds i8, ptr %0, i64 1680
+  %253 = getelementptr inbounds i8, ptr %0, i64 1704
+  %254 = getelementptr inbounds i8, ptr %0, i64 1488
+  %255 = getelementptr inbounds i8, ptr %0, i64 1512
+  %256 = getelementptr inbounds i8, ptr %0, i64 1560
+  %257 = getelementptr inbounds i8, ptr %0, i64 600
+  %258 = getelementptr inbounds i8, ptr %10, i64 8
+  %259 = getelementptr inbounds i8, ptr %10, i64 16
+  %260 = getelementptr inbounds i8, ptr %0, i64 1448
+  %261 = getelementptr inbounds i8, ptr %0, i64 1440
+  %262 = getelementptr inbounds i8, ptr %0, i64 384
+  %263 = getelementptr inbounds i8, ptr %0, i64 1728
+  %264 = getelementptr inbounds i8, ptr %0, i64 1680
+  %265 = getelementptr inbounds i8, ptr %0, i64 528
+  %266 = getelementptr inbounds i8, ptr %0, i64 1536
+  %267 = getelementptr inbounds i8, ptr %0, i64 1544
+  %268 = getelementptr inbounds i8, ptr %0, i64 1488
+  %269 = getelementptr inbounds i8, ptr %0, i64 384
+  %270 = getelementptr inbounds i8, ptr %0, i64 600
+  %271 = getelementptr inbounds i8, ptr %0, i64 600
+  %272 = getelementptr inbounds i8, ptr %0, i64 408
+  %273 = getelementptr inbounds i8, ptr %0, i64 408
+  %274 = getelementptr inbounds i8, ptr %0, i64 1632
+  %275 = getelementptr inbounds i8, ptr %0, i64 168
+  %276 = getelementptr inbounds i8, ptr %0, i64 248
+  %277 = getelementptr inbounds i8, ptr %0, i64 192
+  %278 = getelementptr inbounds i8, ptr %0, i64 216
+  %279 = getelementptr inbounds i8, ptr %0, i64 600
+  %280 = getelementptr inbounds i8, ptr %0, i64 600
+  %281 = getelementptr inbounds i8, ptr %0, i64 384
+  %282 = getelementptr inbounds i8, ptr %0, i64 1392
+  %283 = getelementptr inbounds i8, ptr %0, i64 368
+  %284 = getelementptr inbounds i8, ptr %0, i64 1584
+  %285 = getelementptr inbounds i8, ptr %0, i64 552
+  %286 = getelementptr inbounds i8, ptr %0, i64 1656
+  %287 = getelementptr inbounds i8, ptr %0, i64 1392
+  %288 = getelementptr inbounds i8, ptr %13, i64 8
+  %289 = getelementptr inbounds i8, ptr %13, i64 16
+  %290 = getelementptr inbounds i8, ptr %14, i64 8
+  %291 = getelementptr inbounds i8, ptr %14, i64 16
+  %292 = getelementptr inbounds i8, ptr %0, i64 384
+  %293 = getelementptr inbounds i8, ptr %0, i64 1344
+  %294 = getelementptr inbounds i8, ptr %0, i64 1360
+  %295 = getelementptr inbounds i8, ptr %0, i64 384
+  %296 = getelementptr inbounds i8, ptr %0, i64 552
+  %297 = getelementptr inbounds i8, ptr %0, i64 368
+  %298 = getelementptr inbounds i8, ptr %0, i64 888
+  %299 = getelementptr inbounds i8, ptr %0, i64 1584
+  %300 = getelementptr inbounds i8, ptr %0, i64 384
+  %301 = getelementptr inbounds i8, ptr %0, i64 168
+  %302 = getelementptr inbounds i8, ptr %0, i64 984
+  %303 = getelementptr inbounds i8, ptr %0, i64 912
+  %304 = getelementptr inbounds i8, ptr %0, i64 864
+  %305 = getelementptr inbounds i8, ptr %0, i64 936
+  %306 = getelementptr inbounds i8, ptr %0, i64 456
+  %307 = getelementptr inbounds i8, ptr %0, i64 408
+  %308 = getelementptr inbounds i8, ptr %0, i64 456
+  %309 = getelementptr inbounds i8, ptr %0, i64 368
+  %310 = getelementptr inbounds i8, ptr %0, i64 384
+  %311 = getelementptr inbounds i8, ptr %0, i64 384
+  %312 = getelementptr inbounds i8, ptr %0, i64 384
+  %313 = getelementptr inbounds i8, ptr %0, i64 368
+  %314 = getelementptr inbounds i8, ptr %0, i64 384
+  %315 = getelementptr inbounds i8, ptr %0, i64 248
+  %316 = getelementptr inbounds i8, ptr %0, i64 384
+  %317 = getelementptr inbounds i8, ptr %0, i64 336
+  %318 = getelementptr inbounds i8, ptr %0, i64 528
+  %319 = getelementptr inbounds i8, ptr %0, i64 168
+  %320 = getelementptr inbounds i8, ptr %0, i64 248
+  %321 = getelementptr inbounds i8, ptr %0, i64 192
+  %322 = getelementptr inbounds i8, ptr %0, i64 216
+  %323 = getelementptr inbounds i8, ptr %0, i64 248
+  %324 = getelementptr inbounds i8, ptr %0, i64 768
+  br label %325
 
-216:                                              ; preds = %2672, %80
-  %217 = phi double [ undef, %80 ], [ %2652, %2672 ]
-  %218 = phi double [ undef, %80 ], [ %2653, %2672 ]
-  %219 = phi double [ undef, %80 ], [ %2654, %2672 ]
-  %220 = phi i64 [ undef, %80 ], [ %2655, %2672 ]
-  %221 = phi i64 [ undef, %80 ], [ %2656, %2672 ]
-  %222 = phi i64 [ undef, %80 ], [ %2657, %2672 ]
-  %223 = load ptr, ptr %84, align 8
-  %224 = load ptr, ptr %85, align 8
-  %225 = getelementptr inbounds i8, ptr %224, i64 56
-  %226 = load i64, ptr %225, align 8
-  %227 = icmp eq i64 %226, 0
-  br i1 %227, label %2651, label %228
-
-228:                                              ; preds = %216
-  %229 = load ptr, ptr %81, align 8
-  %230 = getelementptr inbounds i8, ptr %229, i64 8
-  %231 = load i64, ptr %230, align 8
-  %232 = load ptr, ptr %86, align 8
-  %233 = load i64, ptr %87, align 8
-  %234 = getelementptr double, ptr %232, i64 %233
-  %235 = getelementptr i8, ptr %234, i64 -8
-  %236 = load double, ptr %235, align 8
-  %237 = load double, ptr %232, align 8
-  %238 = fsub double %236, %237
-  %239 = fmul double %238, 0x3D70000000000000
-  %240 = load ptr, ptr %88, align 8, !noalias !8
-  %241 = load double, ptr %240, align 8, !noalias !8
-  %242 = icmp sgt i64 %231, 0
-  br i1 %242, label %243, label %252
-
-243:                                              ; preds = %228, %243
-  %244 = phi i64 [ %250, %243 ], [ 0, %228 ]
-  %245 = phi double [ %249, %243 ], [ %241, %228 ]
-  %246 = getelementptr inbounds double, ptr %240, i64 %244
-  %247 = load double, ptr %246, align 8, !noalias !8
-  %248 = fcmp olt double %247, %245
-  %249 = select i1 %248, double %247, double %245
-  %250 = add nuw nsw i64 %244, 1
-  %251 = icmp eq i64 %250, %231
-  br i1 %251, label %252, label %243, !llvm.loop !11
-
-252:                                              ; preds = %243, %228
-  %253 = phi double [ %241, %228 ], [ %249, %243 ]
-  %254 = load ptr, ptr %89, align 8
-  %255 = load i64, ptr %254, align 8
-  %256 = icmp eq i64 %255, 1
-  %257 = load ptr, ptr %90, align 8
-  %258 = getelementptr inbounds i8, ptr %257, i64 8
-  %259 = load i64, ptr %258, align 8
-  %260 = icmp sgt i64 %259, 0
-  %261 = load double, ptr %223, align 8
-  %262 = getelementptr inbounds i8, ptr %223, i64 8
-  %263 = load double, ptr %262, align 8
-  %264 = load i64, ptr %224, align 8
-  %265 = icmp eq i64 %264, 0
-  br i1 %265, label %266, label %417
-
-266:                                              ; preds = %252
-  %267 = load i64, ptr %91, align 8
-  %268 = icmp eq i64 %267, 0
-  br i1 %268, label %298, label %269
-
-269:                                              ; preds = %266
-  %270 = icmp sgt i64 %267, 0
-  br i1 %270, label %271, label %286
-
-271:                                              ; preds = %269
-  %272 = load ptr, ptr %92, align 8
-  br label %273
-
-273:                                              ; preds = %271, %273
-  %274 = phi i64 [ 0, %271 ], [ %284, %273 ]
-  %275 = phi i64 [ %267, %271 ], [ %283, %273 ]
-  %276 = add nuw nsw i64 %274, %275
-  %277 = lshr i64 %276, 1
-  %278 = mul i64 %277, 24
-  %279 = getelementptr inbounds i8, ptr %272, i64 %278
-  %280 = load double, ptr %279, align 8
-  %281 = fcmp ogt double %280, %261
-  %282 = add nuw nsw i64 %277, 1
-  %283 = select i1 %281, i64 %277, i64 %275
-  %284 = select i1 %281, i64 %274, i64 %282
-  %285 = icmp slt i64 %284, %283
-  br i1 %285, label %273, label %286, !llvm.loop !12
-
-286:                                              ; preds = %273, %269
-  %287 = phi i64 [ 0, %269 ], [ %284, %273 ]
-  %288 = icmp slt i64 %287, %267
-  br i1 %288, label %289, label %295
-
-289:                                              ; preds = %286
-  %290 = load ptr, ptr %92, align 8
-  %291 = mul i64 %287, 24
-  %292 = getelementptr inbounds i8, ptr %290, i64 %291
-  %293 = getelementptr inbounds i8, ptr %292, i64 8
-  %294 = load double, ptr %293, align 8
-  br label %295
-
-295:                                              ; preds = %289, %286
-  %296 = phi double [ %294, %289 ], [ 0x7FF0000000000000, %286 ]
-  %297 = load ptr, ptr %93, align 8
-  store double %296, ptr %297, align 8
-  br label %298
-
-298:                                              ; preds = %295, %266
-  %299 = getelementptr inbounds i8, ptr %224, i64 24
-  %300 = load i64, ptr %299, align 8
-  %301 = add nsw i64 %300, 1
-  store i64 %301, ptr %299, align 8
-  %302 = load ptr, ptr %82, align 8
-  %303 = load ptr, ptr %94, align 8
-  %304 = load ptr, ptr %95, align 8
-  store double %261, ptr %304, align 8
-  %305 = load ptr, ptr %81, align 8
-  %306 = getelementptr inbounds i8, ptr %305, i64 40
-  %307 = load i64, ptr %306, align 8
-  %308 = icmp eq i64 %307, 0
-  br i1 %308, label %310, label %309
-
-309:                                              ; preds = %298
-  tail call fastcc void @settle(ptr noundef nonnull %81) #10
-  br label %310
-
-310:                                              ; preds = %309, %298
-  %311 = load i64, ptr %96, align 8
-  %312 = icmp sgt i64 %311, 0
-  br i1 %312, label %313, label %314
-
-313:                                              ; preds = %310
-  tail call fastcc void @sample(ptr noundef nonnull %81) #10
-  br label %314
-
-314:                                              ; preds = %310, %313
-  %315 = load ptr, ptr %81, align 8
-  %316 = load i64, ptr %315, align 8
-  %317 = load ptr, ptr %95, align 8
-  %318 = load ptr, ptr %97, align 8
-  %319 = load ptr, ptr %98, align 8
-  %320 = inttoptr i64 %316 to ptr
-  %321 = load ptr, ptr %320, align 8
-  %322 = tail call i32 %321(ptr noundef %317, ptr noundef %302, ptr noundef %318, ptr noundef %319, ptr noundef %303) #11
-  %323 = icmp eq i32 %322, 0
-  br i1 %323, label %328, label %324
-
-324:                                              ; preds = %314
-  %325 = getelementptr inbounds i8, ptr %224, i64 72
-  store i64 3, ptr %325, align 8
-  %326 = icmp slt i32 %322, 0
-  %327 = select i1 %326, i64 -4, i64 2
-  br label %2651
-
-328:                                              ; preds = %314
-  store i64 1, ptr %224, align 8
-  %329 = load ptr, ptr %83, align 8
-  %330 = getelementptr inbounds i8, ptr %329, i64 16
-  %331 = load i64, ptr %330, align 8
-  %332 = and i64 %331, -2
-  store i64 %332, ptr %330, align 8
-  %333 = load ptr, ptr %83, align 8
-  %334 = getelementptr inbounds i8, ptr %333, i64 32
+325:                                              ; preds = %2781, %189
+  %326 = phi double [ undef, %189 ], [ %2761, %2781 ]
+  %327 = phi double [ undef, %189 ], [ %2762, %2781 ]
+  %328 = phi double [ undef, %189 ], [ %2763, %2781 ]
+  %329 = phi i64 [ undef, %189 ], [ %2764, %2781 ]
+  %330 = phi i64 [ undef, %189 ], [ %2765, %2781 ]
+  %331 = phi i64 [ undef, %189 ], [ %2766, %2781 ]
+  %332 = load ptr, ptr %193, align 8
+  %333 = load ptr, ptr %194, align 8
+  %334 = getelementptr inbounds i8, ptr %333, i64 56
   %335 = load i64, ptr %334, align 8
-  %336 = or i64 %335, 1
-  store i64 %336, ptr %334, align 8
-  %337 = load ptr, ptr %83, align 8
-  %338 = getelementptr inbounds i8, ptr %337, i64 8
-  %339 = load i64, ptr %338, align 8
-  %340 = and i64 %339, -2
-  %341 = getelementptr inbounds i8, ptr %337, i64 16
-  %342 = load i64, ptr %341, align 8
-  %343 = and i64 %342, 1
-  %344 = or disjoint i64 %343, %340
-  %345 = xor i64 %344, 1
-  store i64 %345, ptr %338, align 8
-  %346 = load ptr, ptr %99, align 8
-  %347 = getelementptr inbounds i8, ptr %346, i64 8
-  store double 0.000000e+00, ptr %347, align 8
-  %348 = load ptr, ptr %99, align 8
-  %349 = getelementptr inbounds i8, ptr %348, i64 24
-  store double 0.000000e+00, ptr %349, align 8
-  %350 = load ptr, ptr %82, align 8
-  %351 = load ptr, ptr %81, align 8
-  %352 = getelementptr inbounds i8, ptr %351, i64 8
-  %353 = load i64, ptr %352, align 8
-  %354 = load i64, ptr %87, align 8
-  %355 = load ptr, ptr %86, align 8
-  %356 = load ptr, ptr %85, align 8
-  %357 = getelementptr inbounds i8, ptr %356, i64 48
-  %358 = load i64, ptr %357, align 8
-  %359 = icmp slt i64 %358, %354
-  br i1 %359, label %360, label %383
-
-360:                                              ; preds = %328
-  %361 = icmp sgt i64 %353, 0
-  br label %362
-
-362:                                              ; preds = %360, %373
-  %363 = phi i64 [ %358, %360 ], [ %374, %373 ]
-  %364 = getelementptr inbounds double, ptr %355, i64 %363
-  %365 = load double, ptr %364, align 8
-  %366 = load ptr, ptr %84, align 8
-  %367 = load double, ptr %366, align 8
-  %368 = fcmp ugt double %365, %367
-  br i1 %368, label %383, label %369
-
-369:                                              ; preds = %362
-  br i1 %361, label %370, label %373
-
-370:                                              ; preds = %369
-  %371 = mul nsw i64 %363, %353
-  %372 = getelementptr double, ptr %1, i64 %371
-  br label %376
-
-373:                                              ; preds = %376, %369
-  %374 = add i64 %363, 1
-  %375 = icmp eq i64 %374, %354
-  br i1 %375, label %383, label %362, !llvm.loop !13
-
-376:                                              ; preds = %370, %376
-  %377 = phi i64 [ 0, %370 ], [ %381, %376 ]
-  %378 = getelementptr inbounds double, ptr %350, i64 %377
-  %379 = load double, ptr %378, align 8
-  %380 = getelementptr double, ptr %372, i64 %377
-  store double %379, ptr %380, align 8
-  %381 = add nuw nsw i64 %377, 1
-  %382 = icmp eq i64 %381, %353
-  br i1 %382, label %373, label %376, !llvm.loop !14
-
-383:                                              ; preds = %362, %373, %328
-  %384 = phi i64 [ %358, %328 ], [ %363, %362 ], [ %354, %373 ]
-  %385 = load ptr, ptr %85, align 8
-  %386 = getelementptr inbounds i8, ptr %385, i64 48
-  store i64 %384, ptr %386, align 8
-  %387 = icmp eq i64 %384, %354
-  br i1 %387, label %2651, label %388
-
-388:                                              ; preds = %383
-  %389 = fcmp oeq double %263, 0.000000e+00
-  br i1 %389, label %390, label %417
-
-390:                                              ; preds = %388
-  %391 = load ptr, ptr %81, align 8
-  %392 = getelementptr inbounds i8, ptr %391, i64 24
-  %393 = load i64, ptr %392, align 8
-  %394 = getelementptr inbounds i8, ptr %223, i64 16
-  %395 = load double, ptr %394, align 8
-  %396 = load ptr, ptr %82, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %11, ptr noundef %396, ptr noundef %396, ptr noundef nonnull %82, i64 noundef %393) #10
-  %397 = load double, ptr %11, align 8
-  %398 = load ptr, ptr %100, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %12, ptr noundef %398, ptr noundef %396, ptr noundef nonnull %82, i64 noundef %393) #10
-  %399 = load double, ptr %12, align 8
-  %400 = fcmp uge double %397, 1.000000e-05
-  %401 = fcmp uge double %399, 1.000000e-05
-  %402 = and i1 %400, %401
-  %403 = fmul double %397, 1.000000e-02
-  %404 = fdiv double %403, %399
-  %405 = select i1 %402, double %404, double 0x3EB0C6F7A0B5ED8D
-  %406 = fcmp olt double %395, %405
-  %407 = select i1 %406, double %395, double %405
-  %408 = tail call double @llvm.fabs.f64(double %261)
-  %409 = fmul double %408, 0x3D30000000000000
-  %410 = fcmp ogt double %409, %407
-  %411 = select i1 %410, double %409, double %407
-  %412 = fcmp olt double %395, %411
-  %413 = select i1 %412, double %395, double %411
-  %414 = tail call i1 @llvm.is.fpclass.f64(double %413, i32 639)
-  br i1 %414, label %415, label %417
-
-415:                                              ; preds = %390
-  %416 = getelementptr inbounds i8, ptr %224, i64 72
-  store i64 4, ptr %416, align 8
-  br label %417
-
-417:                                              ; preds = %390, %415, %388, %252
-  %418 = phi double [ %263, %388 ], [ %263, %252 ], [ %413, %415 ], [ %413, %390 ]
-  %419 = load i64, ptr %225, align 8
-  %420 = icmp eq i64 %419, 0
-  br i1 %420, label %447, label %421
-
-421:                                              ; preds = %417
-  %422 = getelementptr inbounds i8, ptr %224, i64 8
-  %423 = getelementptr inbounds i8, ptr %224, i64 16
-  %424 = getelementptr inbounds i8, ptr %224, i64 64
-  %425 = getelementptr inbounds i8, ptr %223, i64 16
-  %426 = fcmp ogt double %253, 0x3CB0000000000000
-  %427 = select i1 %426, double %253, double 0x3CB0000000000000
-  %428 = fdiv double 0x3CE4000000000000, %427
-  %429 = tail call double @llvm.sqrt.f64(double %253)
-  %430 = fcmp olt double %429, 3.000000e-02
-  %431 = select i1 %430, double %429, double 3.000000e-02
-  %432 = fcmp ogt double %431, %428
-  %433 = select i1 %432, double %431, double %428
-  %434 = fmul double %253, %433
-  %435 = fmul double %434, %434
-  %436 = getelementptr inbounds i8, ptr %224, i64 24
-  %437 = getelementptr inbounds i8, ptr %224, i64 32
-  %438 = getelementptr inbounds i8, ptr %224, i64 40
-  %439 = getelementptr inbounds i8, ptr %224, i64 72
-  %440 = getelementptr inbounds i8, ptr %223, i64 32
-  %441 = getelementptr inbounds i8, ptr %224, i64 48
-  %442 = icmp sgt i64 %231, 0
-  %443 = getelementptr inbounds i8, ptr %224, i64 72
-  %444 = getelementptr inbounds i8, ptr %224, i64 48
-  %445 = getelementptr inbounds i8, ptr %224, i64 72
-  %446 = getelementptr inbounds i8, ptr %224, i64 72
-  br label %455
-
-447:                                              ; preds = %2648, %417
-  %448 = phi double [ %217, %417 ], [ %2638, %2648 ]
-  %449 = phi double [ %218, %417 ], [ %2639, %2648 ]
-  %450 = phi double [ %219, %417 ], [ %2640, %2648 ]
-  %451 = phi i64 [ %220, %417 ], [ %2641, %2648 ]
-  %452 = phi i64 [ %221, %417 ], [ %2642, %2648 ]
-  %453 = phi i64 [ %222, %417 ], [ %2643, %2648 ]
-  %454 = phi double [ %418, %417 ], [ %2644, %2648 ]
-  store double %454, ptr %262, align 8
-  br label %2651
-
-455:                                              ; preds = %421, %2648
-  %456 = phi i64 [ %419, %421 ], [ %2649, %2648 ]
-  %457 = phi i64 [ undef, %421 ], [ %2647, %2648 ]
-  %458 = phi double [ %261, %421 ], [ %2645, %2648 ]
-  %459 = phi double [ %418, %421 ], [ %2644, %2648 ]
-  %460 = phi i64 [ %222, %421 ], [ %2643, %2648 ]
-  %461 = phi i64 [ %221, %421 ], [ %2642, %2648 ]
-  %462 = phi i64 [ %220, %421 ], [ %2641, %2648 ]
-  %463 = phi double [ %219, %421 ], [ %2640, %2648 ]
-  %464 = phi double [ %218, %421 ], [ %2639, %2648 ]
-  %465 = phi double [ %217, %421 ], [ %2638, %2648 ]
-  %466 = load ptr, ptr %101, align 8
-  %467 = getelementptr inbounds i8, ptr %466, i64 8
-  %468 = load i64, ptr %467, align 8
-  %469 = icmp sgt i64 %468, 0
-  br i1 %469, label %470, label %475
-
-470:                                              ; preds = %455
-  %471 = load i64, ptr %466, align 8
-  %472 = add nsw i64 %471, 3
-  %473 = icmp slt i64 %468, %472
-  %474 = zext i1 %473 to i32
-  br label %475
-
-475:                                              ; preds = %455, %470
-  %476 = phi i32 [ 0, %455 ], [ %474, %470 ]
-  %477 = icmp eq i32 %476, 0
-  br i1 %477, label %479, label %478
-
-478:                                              ; preds = %475
-  store double %459, ptr %262, align 8
-  br label %2651
-
-479:                                              ; preds = %475
-  %480 = add nsw i64 %456, -1
-  store i64 %480, ptr %225, align 8
-  %481 = load i64, ptr %422, align 8
-  %482 = load i64, ptr %423, align 8
-  %483 = add nsw i64 %482, %481
-  %484 = load i64, ptr %424, align 8
-  %485 = icmp slt i64 %483, %484
-  br i1 %485, label %487, label %486
-
-486:                                              ; preds = %479
-  store double %459, ptr %262, align 8
-  br label %2651
-
-487:                                              ; preds = %479
-  %488 = load i64, ptr %102, align 8
-  %489 = icmp eq i64 %488, 0
-  br i1 %489, label %523, label %490
-
-490:                                              ; preds = %487
-  %491 = icmp sgt i64 %488, 0
-  br i1 %491, label %492, label %507
-
-492:                                              ; preds = %490
-  %493 = load ptr, ptr %103, align 8
-  br label %494
-
-494:                                              ; preds = %492, %494
-  %495 = phi i64 [ 0, %492 ], [ %505, %494 ]
-  %496 = phi i64 [ %488, %492 ], [ %504, %494 ]
-  %497 = add nuw nsw i64 %495, %496
-  %498 = lshr i64 %497, 1
-  %499 = mul i64 %498, 24
-  %500 = getelementptr inbounds i8, ptr %493, i64 %499
-  %501 = load double, ptr %500, align 8
-  %502 = fcmp ogt double %501, %458
-  %503 = add nuw nsw i64 %498, 1
-  %504 = select i1 %502, i64 %498, i64 %496
-  %505 = select i1 %502, i64 %495, i64 %503
-  %506 = icmp slt i64 %505, %504
-  br i1 %506, label %494, label %507, !llvm.loop !12
-
-507:                                              ; preds = %494, %490
-  %508 = phi i64 [ 0, %490 ], [ %505, %494 ]
-  %509 = load ptr, ptr %103, align 8
-  %510 = mul i64 %508, 24
-  %511 = getelementptr inbounds i8, ptr %509, i64 %510
-  %512 = icmp slt i64 %508, %488
-  br i1 %512, label %513, label %516
-
-513:                                              ; preds = %507
-  %514 = getelementptr inbounds i8, ptr %511, i64 8
-  %515 = load double, ptr %514, align 8
-  br label %516
-
-516:                                              ; preds = %513, %507
-  %517 = phi double [ %515, %513 ], [ 0x7FF0000000000000, %507 ]
-  %518 = load ptr, ptr %104, align 8
-  store double %517, ptr %518, align 8
-  %519 = load i64, ptr %102, align 8
-  %520 = icmp slt i64 %508, %519
-  br i1 %520, label %521, label %523
-
-521:                                              ; preds = %516
-  %522 = load double, ptr %511, align 8
-  br label %523
-
-523:                                              ; preds = %487, %516, %521
-  %524 = phi double [ 0x7FF0000000000000, %487 ], [ %522, %521 ], [ 0x7FF0000000000000, %516 ]
-  %525 = fcmp olt double %236, %524
-  %526 = select i1 %525, double %236, double %524
-  %527 = load double, ptr %425, align 8
-  %528 = fcmp olt double %459, %527
-  %529 = select i1 %528, double %459, double %527
-  %530 = fadd double %458, %529
-  %531 = fmul double %529, 1.000000e-03
-  %532 = fsub double %526, %531
-  %533 = fcmp ule double %530, %532
-  %534 = select i1 %533, double %530, double %526
-  %535 = fsub double %534, %458
-  %536 = fmul double %535, 6.250000e-02
-  %537 = fadd double %458, %536
-  %538 = fcmp ule double %537, %458
-  %539 = fcmp une double %534, %526
-  %540 = and i1 %539, %538
-  br i1 %540, label %541, label %542
-
-541:                                              ; preds = %523
-  store double %535, ptr %262, align 8
-  br label %2637
-
-542:                                              ; preds = %523
-  %543 = load ptr, ptr %81, align 8, !noalias !15
-  %544 = getelementptr inbounds i8, ptr %543, i64 8
-  %545 = load i64, ptr %544, align 8, !noalias !15
-  %546 = load ptr, ptr %83, align 8, !noalias !15
-  %547 = getelementptr inbounds i8, ptr %546, i64 8
-  %548 = load i64, ptr %547, align 8, !noalias !15
-  %549 = and i64 %548, 1
-  %550 = getelementptr inbounds i8, ptr %546, i64 32
-  %551 = load i64, ptr %550, align 8, !noalias !15
-  %552 = and i64 %551, 1
-  %553 = icmp eq i64 %549, 0
-  br i1 %553, label %685, label %554
-
-554:                                              ; preds = %542
-  %555 = load ptr, ptr %106, align 8, !noalias !15
-  %556 = load i64, ptr %546, align 8, !noalias !15
-  %557 = icmp eq i64 %556, 0
-  br i1 %557, label %558, label %560
-
-558:                                              ; preds = %554
-  %559 = icmp sgt i64 %545, 0
-  br i1 %559, label %584, label %582
-
-560:                                              ; preds = %554
-  %561 = load ptr, ptr %107, align 8, !noalias !15
-  store double %458, ptr %561, align 8, !noalias !15
-  %562 = load ptr, ptr %81, align 8, !noalias !15
-  %563 = getelementptr inbounds i8, ptr %562, i64 40
-  %564 = load i64, ptr %563, align 8, !noalias !15
-  %565 = icmp eq i64 %564, 0
-  br i1 %565, label %567, label %566
-
-566:                                              ; preds = %560
-  tail call fastcc void @settle(ptr noundef nonnull %81) #10, !noalias !15
-  br label %567
-
-567:                                              ; preds = %566, %560
-  %568 = load i64, ptr %108, align 8, !noalias !15
-  %569 = icmp sgt i64 %568, 0
-  br i1 %569, label %570, label %571
-
-570:                                              ; preds = %567
-  tail call fastcc void @sample(ptr noundef nonnull %81) #10, !noalias !15
-  br label %571
-
-571:                                              ; preds = %570, %567
-  %572 = load ptr, ptr %83, align 8, !noalias !15
-  %573 = load i64, ptr %572, align 8, !noalias !15
-  %574 = load ptr, ptr %107, align 8, !noalias !15
-  %575 = load ptr, ptr %82, align 8, !noalias !15
-  %576 = load ptr, ptr %109, align 8, !noalias !15
-  %577 = load ptr, ptr %110, align 8, !noalias !15
-  %578 = inttoptr i64 %573 to ptr
-  %579 = load ptr, ptr %578, align 8, !noalias !15
-  %580 = tail call i32 %579(ptr noundef %574, ptr noundef %575, ptr noundef %576, ptr noundef %577, ptr noundef %555) #11, !noalias !15
-  %581 = sext i32 %580 to i64
-  br label %656
-
-582:                                              ; preds = %584, %558
-  %583 = icmp sgt i64 %545, 0
-  br i1 %583, label %596, label %656
-
-584:                                              ; preds = %558, %584
-  %585 = phi i64 [ %591, %584 ], [ 0, %558 ]
-  %586 = load ptr, ptr %82, align 8, !noalias !15
-  %587 = getelementptr inbounds double, ptr %586, i64 %585
-  %588 = load double, ptr %587, align 8, !noalias !15
-  %589 = load ptr, ptr %111, align 8, !noalias !15
-  %590 = getelementptr inbounds double, ptr %589, i64 %585
-  store double %588, ptr %590, align 8, !noalias !15
-  %591 = add nuw nsw i64 %585, 1
-  %592 = icmp eq i64 %591, %545
-  br i1 %592, label %582, label %584, !llvm.loop !18
-
-593:                                              ; preds = %654
-  %594 = add nuw nsw i64 %598, 1
-  %595 = icmp eq i64 %594, %545
-  br i1 %595, label %656, label %596, !llvm.loop !19
-
-596:                                              ; preds = %582, %593
-  %597 = phi i64 [ %655, %593 ], [ undef, %582 ]
-  %598 = phi i64 [ %594, %593 ], [ 0, %582 ]
-  %599 = phi double [ %610, %593 ], [ 0.000000e+00, %582 ]
-  %600 = load ptr, ptr %82, align 8, !noalias !15
-  %601 = getelementptr inbounds double, ptr %600, i64 %598
-  %602 = load double, ptr %601, align 8, !noalias !15
-  %603 = tail call double @llvm.fabs.f64(double %602)
-  %604 = fcmp olt double %603, 1.000000e-05
-  %605 = select i1 %604, double 1.000000e-05, double %603
-  %606 = fmul double %605, 1.500000e-08
-  %607 = fadd double %602, %606
-  %608 = load ptr, ptr %112, align 8, !noalias !15
-  %609 = getelementptr inbounds double, ptr %608, i64 %598
-  store double %607, ptr %609, align 8, !noalias !15
-  %610 = fadd double %599, 1.000000e+00
-  %611 = load ptr, ptr %112, align 8, !noalias !15
-  %612 = load ptr, ptr %113, align 8, !noalias !15
-  %613 = load ptr, ptr %114, align 8, !noalias !15
-  store double %458, ptr %613, align 8, !noalias !15
-  %614 = load ptr, ptr %81, align 8, !noalias !15
-  %615 = getelementptr inbounds i8, ptr %614, i64 40
-  %616 = load i64, ptr %615, align 8, !noalias !15
-  %617 = icmp eq i64 %616, 0
-  br i1 %617, label %619, label %618
-
-618:                                              ; preds = %596
-  tail call fastcc void @settle(ptr noundef nonnull %81) #10, !noalias !15
-  br label %619
-
-619:                                              ; preds = %618, %596
-  %620 = load i64, ptr %115, align 8, !noalias !15
-  %621 = icmp sgt i64 %620, 0
-  br i1 %621, label %622, label %623
-
-622:                                              ; preds = %619
-  tail call fastcc void @sample(ptr noundef nonnull %81) #10, !noalias !15
-  br label %623
-
-623:                                              ; preds = %622, %619
-  %624 = load ptr, ptr %81, align 8, !noalias !15
-  %625 = load i64, ptr %624, align 8, !noalias !15
-  %626 = load ptr, ptr %114, align 8, !noalias !15
-  %627 = load ptr, ptr %116, align 8, !noalias !15
-  %628 = load ptr, ptr %117, align 8, !noalias !15
-  %629 = inttoptr i64 %625 to ptr
-  %630 = load ptr, ptr %629, align 8, !noalias !15
-  %631 = tail call i32 %630(ptr noundef %626, ptr noundef %611, ptr noundef %627, ptr noundef %628, ptr noundef %612) #11, !noalias !15
-  %632 = sext i32 %631 to i64
-  %633 = icmp eq i32 %631, 0
-  br i1 %633, label %634, label %654
-
-634:                                              ; preds = %623
-  %635 = getelementptr double, ptr %555, i64 %598
-  %636 = fsub double %607, %602
-  br label %640
-
-637:                                              ; preds = %640
-  %638 = load ptr, ptr %112, align 8, !noalias !15
-  %639 = getelementptr inbounds double, ptr %638, i64 %598
-  store double %602, ptr %639, align 8, !noalias !15
-  br label %654
-
-640:                                              ; preds = %634, %640
-  %641 = phi i64 [ 0, %634 ], [ %652, %640 ]
-  %642 = load ptr, ptr %113, align 8, !noalias !15
-  %643 = getelementptr inbounds double, ptr %642, i64 %641
-  %644 = load double, ptr %643, align 8, !noalias !15
-  %645 = load ptr, ptr %118, align 8, !noalias !15
-  %646 = getelementptr inbounds double, ptr %645, i64 %641
-  %647 = load double, ptr %646, align 8, !noalias !15
-  %648 = fsub double %644, %647
-  %649 = fdiv double %648, %636
-  %650 = mul nuw nsw i64 %641, %545
-  %651 = getelementptr double, ptr %635, i64 %650
-  store double %649, ptr %651, align 8, !noalias !15
-  %652 = add nuw nsw i64 %641, 1
-  %653 = icmp eq i64 %652, %545
-  br i1 %653, label %637, label %640, !llvm.loop !20
-
-654:                                              ; preds = %637, %623
-  %655 = phi i64 [ %597, %637 ], [ %632, %623 ]
-  br i1 %633, label %593, label %656
-
-656:                                              ; preds = %654, %593, %582, %571
-  %657 = phi double [ 0.000000e+00, %571 ], [ 0.000000e+00, %582 ], [ %610, %593 ], [ %610, %654 ]
-  %658 = phi i64 [ %581, %571 ], [ 0, %582 ], [ %655, %654 ], [ 0, %593 ]
-  %659 = load i64, ptr %119, align 8, !noalias !15
-  %660 = icmp sgt i64 %659, 0
-  br i1 %660, label %661, label %674
-
-661:                                              ; preds = %656, %661
-  %662 = phi i64 [ %671, %661 ], [ 0, %656 ]
-  %663 = load ptr, ptr %106, align 8, !noalias !15
-  %664 = getelementptr inbounds double, ptr %663, i64 %662
-  %665 = load double, ptr %664, align 8, !noalias !15
-  %666 = tail call double @llvm.fabs.f64(double %665)
-  %667 = fcmp ueq double %666, 0x7FF0000000000000
-  %668 = select i1 %667, double 0.000000e+00, double %665
-  %669 = load ptr, ptr %105, align 8, !noalias !15
-  %670 = getelementptr inbounds double, ptr %669, i64 %662
-  store double %668, ptr %670, align 8, !noalias !15
-  %671 = add nuw nsw i64 %662, 1
-  %672 = load i64, ptr %119, align 8, !noalias !15
-  %673 = icmp slt i64 %671, %672
-  br i1 %673, label %661, label %674, !llvm.loop !21
-
-674:                                              ; preds = %661, %656
-  %675 = icmp slt i64 %658, 0
-  br i1 %675, label %1985, label %676
-
-676:                                              ; preds = %674
-  %677 = load i64, ptr %547, align 8, !noalias !15
-  %678 = and i64 %677, -2
-  store i64 %678, ptr %547, align 8, !noalias !15
-  %679 = getelementptr inbounds i8, ptr %546, i64 16
-  %680 = load i64, ptr %679, align 8, !noalias !15
-  %681 = or i64 %680, 1
-  store i64 %681, ptr %679, align 8, !noalias !15
-  %682 = getelementptr inbounds i8, ptr %546, i64 24
-  %683 = load i64, ptr %682, align 8, !noalias !15
-  %684 = and i64 %683, -2
-  store i64 %684, ptr %682, align 8, !noalias !15
-  br label %685
-
-685:                                              ; preds = %676, %542
-  %686 = phi double [ 0.000000e+00, %542 ], [ %657, %676 ]
-  %687 = load ptr, ptr %83, align 8, !noalias !15
-  %688 = load ptr, ptr %120, align 8, !noalias !15
-  %689 = load double, ptr %688, align 8, !noalias !15
-  %690 = fsub double %535, %689
-  %691 = tail call double @llvm.fabs.f64(double %690)
-  %692 = tail call double @llvm.fabs.f64(double %534)
-  %693 = fmul double %692, 0x3CB0000000000000
-  %694 = fcmp ogt double %691, %693
-  %695 = getelementptr inbounds i8, ptr %687, i64 24
-  %696 = load i64, ptr %695, align 8, !noalias !15
-  %697 = trunc i64 %696 to i1
-  %698 = xor i1 %697, true
-  %699 = or i1 %694, %698
-  %700 = zext i1 %699 to i64
-  br i1 %699, label %701, label %761
-
-701:                                              ; preds = %685
-  store double %535, ptr %688, align 8, !noalias !15
-  %702 = load i64, ptr %121, align 8, !noalias !15
-  %703 = load ptr, ptr %122, align 8, !noalias !15
-  %704 = load ptr, ptr %123, align 8, !noalias !15
-  %705 = icmp sgt i64 %702, 0
-  br i1 %705, label %706, label %736
-
-706:                                              ; preds = %701
-  %707 = fdiv double 0x400D1A48D83E731D, %535
-  %708 = fdiv double 0x400572DB93E0C672, %535
-  %709 = fdiv double 0xC0086747F2C3FCB6, %535
-  br label %710
-
-710:                                              ; preds = %706, %713
-  %711 = phi i64 [ 0, %706 ], [ %714, %713 ]
-  %712 = mul nuw nsw i64 %711, %702
-  br label %716
-
-713:                                              ; preds = %716
-  %714 = add nuw nsw i64 %711, 1
-  %715 = icmp eq i64 %714, %702
-  br i1 %715, label %736, label %710, !llvm.loop !22
-
-716:                                              ; preds = %710, %716
-  %717 = phi i64 [ 0, %710 ], [ %734, %716 ]
-  %718 = load ptr, ptr %124, align 8, !noalias !15
-  %719 = add nuw nsw i64 %717, %712
-  %720 = getelementptr inbounds double, ptr %718, i64 %719
-  %721 = load double, ptr %720, align 8, !noalias !15
-  %722 = fneg double %721
-  %723 = icmp eq i64 %711, %717
-  %724 = fsub double %707, %721
-  %725 = select i1 %723, double %724, double %722
-  %726 = fsub double %708, %721
-  %727 = select i1 %723, double %726, double %722
-  %728 = getelementptr inbounds double, ptr %703, i64 %719
-  store double %725, ptr %728, align 8, !noalias !15
-  %729 = select i1 %723, double %709, double 0.000000e+00
-  %730 = shl nuw nsw i64 %719, 1
-  %731 = getelementptr inbounds double, ptr %704, i64 %730
-  store double %727, ptr %731, align 8, !noalias !15
-  %732 = or disjoint i64 %730, 1
-  %733 = getelementptr inbounds double, ptr %704, i64 %732
-  store double %729, ptr %733, align 8, !noalias !15
-  %734 = add nuw nsw i64 %717, 1
-  %735 = icmp eq i64 %734, %702
-  br i1 %735, label %713, label %716, !llvm.loop !23
-
-736:                                              ; preds = %713, %701
-  %737 = load ptr, ptr %125, align 8, !noalias !15
-  %738 = tail call fastcc i64 @real_factorise(ptr noundef %703, i64 noundef %702, ptr noundef %737) #10, !noalias !15
-  %739 = load ptr, ptr %126, align 8, !noalias !15
-  %740 = tail call fastcc i64 @pair_factorise(ptr noundef %704, i64 noundef %702, ptr noundef %739) #10, !noalias !15
-  %741 = or i64 %740, %738
-  %742 = and i64 %741, %700
-  %743 = load i64, ptr %695, align 8, !noalias !15
-  %744 = or i64 %743, %700
-  %745 = xor i64 %742, -1
-  %746 = xor i64 %742, %744
-  store i64 %746, ptr %695, align 8, !noalias !15
-  %747 = icmp eq i64 %742, 0
-  %748 = select i1 %747, double 2.000000e+00, double 4.000000e+00
-  %749 = fmul double %535, 5.000000e-01
-  %750 = select i1 %747, double %459, double %749
-  %751 = load ptr, ptr %83, align 8, !noalias !15
-  %752 = getelementptr inbounds i8, ptr %751, i64 8
-  %753 = load i64, ptr %752, align 8, !noalias !15
-  %754 = and i64 %753, %745
-  %755 = getelementptr inbounds i8, ptr %751, i64 16
-  %756 = load i64, ptr %755, align 8, !noalias !15
-  %757 = xor i64 %756, -1
-  %758 = and i64 %742, %757
-  %759 = or disjoint i64 %758, %754
-  store i64 %759, ptr %752, align 8, !noalias !15
-  %760 = and i64 %745, 1
-  br label %761
-
-761:                                              ; preds = %685, %736
-  %762 = phi double [ %459, %685 ], [ %750, %736 ]
-  %763 = phi double [ 2.000000e+00, %685 ], [ %748, %736 ]
-  %764 = phi i64 [ 1, %685 ], [ %760, %736 ]
-  %765 = icmp eq i64 %764, 0
-  br i1 %765, label %1985, label %766
-
-766:                                              ; preds = %761
-  %767 = load ptr, ptr %120, align 8, !noalias !15
-  %768 = getelementptr inbounds i8, ptr %767, i64 8
-  %769 = load double, ptr %768, align 8, !noalias !15
-  %770 = load ptr, ptr %81, align 8, !noalias !15
-  %771 = getelementptr inbounds i8, ptr %770, i64 8
-  %772 = load i64, ptr %771, align 8, !noalias !15
-  %773 = load ptr, ptr %127, align 8, !noalias !15
-  %774 = load ptr, ptr %82, align 8, !noalias !15
-  %775 = load ptr, ptr %128, align 8, !noalias !15
-  %776 = load ptr, ptr %129, align 8, !noalias !15
-  %777 = fcmp ule double %769, 0.000000e+00
-  %778 = icmp sgt i64 %772, 0
-  %779 = shl i64 %772, 4
-  %780 = getelementptr i8, ptr %773, i64 %779
-  %781 = mul i64 %772, 24
-  %782 = getelementptr i8, ptr %773, i64 %781
-  %783 = getelementptr double, ptr %773, i64 %772
-  br label %789
-
-784:                                              ; preds = %800
-  %785 = icmp sgt i64 %772, 0
-  %786 = getelementptr double, ptr %775, i64 %772
-  %787 = shl i64 %772, 4
-  %788 = getelementptr i8, ptr %775, i64 %787
-  br label %826
-
-789:                                              ; preds = %766, %800
-  %790 = phi i64 [ 0, %766 ], [ %801, %800 ]
-  %791 = getelementptr inbounds [3 x double], ptr @NODES, i64 0, i64 %790
-  %792 = load double, ptr %791, align 8, !noalias !15
-  %793 = fmul double %535, %792
-  %794 = fdiv double %793, %769
-  %795 = fadd double %794, 1.000000e+00
-  br i1 %778, label %796, label %800
-
-796:                                              ; preds = %789
-  %797 = fsub double 1.000000e+00, %795
-  %798 = mul nuw nsw i64 %772, %790
-  %799 = getelementptr double, ptr %775, i64 %798
-  br label %803
-
-800:                                              ; preds = %803, %789
-  %801 = add nuw nsw i64 %790, 1
-  %802 = icmp eq i64 %801, 3
-  br i1 %802, label %784, label %789, !llvm.loop !24
-
-803:                                              ; preds = %796, %803
-  %804 = phi i64 [ 0, %796 ], [ %824, %803 ]
-  %805 = getelementptr double, ptr %780, i64 %804
-  %806 = load double, ptr %805, align 8, !noalias !15
-  %807 = getelementptr double, ptr %782, i64 %804
-  %808 = load double, ptr %807, align 8, !noalias !15
-  %809 = fmul double %795, %808
-  %810 = fadd double %806, %809
-  %811 = fmul double %797, %810
-  %812 = getelementptr inbounds double, ptr %773, i64 %804
-  %813 = load double, ptr %812, align 8, !noalias !15
-  %814 = getelementptr double, ptr %783, i64 %804
-  %815 = load double, ptr %814, align 8, !noalias !15
-  %816 = fadd double %815, %811
-  %817 = fmul double %795, %816
-  %818 = fadd double %813, %817
-  %819 = getelementptr inbounds double, ptr %774, i64 %804
-  %820 = load double, ptr %819, align 8, !noalias !15
-  %821 = fsub double %818, %820
-  %822 = select i1 %777, double 0.000000e+00, double %821
-  %823 = getelementptr double, ptr %799, i64 %804
-  store double %822, ptr %823, align 8, !noalias !15
-  %824 = add nuw nsw i64 %804, 1
-  %825 = icmp eq i64 %824, %772
-  br i1 %825, label %800, label %803, !llvm.loop !25
-
-826:                                              ; preds = %784, %837
-  %827 = phi i64 [ 0, %784 ], [ %838, %837 ]
-  br i1 %785, label %828, label %837
-
-828:                                              ; preds = %826
-  %829 = mul nuw nsw i64 %772, %827
-  %830 = getelementptr inbounds [3 x [3 x double]], ptr @TO_WAVES, i64 0, i64 %827
-  %831 = load double, ptr %830, align 8, !noalias !15
-  %832 = getelementptr inbounds i8, ptr %830, i64 8
-  %833 = load double, ptr %832, align 8, !noalias !15
-  %834 = getelementptr inbounds i8, ptr %830, i64 16
-  %835 = load double, ptr %834, align 8, !noalias !15
-  %836 = getelementptr double, ptr %776, i64 %829
-  br label %840
-
-837:                                              ; preds = %840, %826
-  %838 = add nuw nsw i64 %827, 1
-  %839 = icmp eq i64 %838, 3
-  br i1 %839, label %856, label %826, !llvm.loop !26
-
-840:                                              ; preds = %828, %840
-  %841 = phi i64 [ 0, %828 ], [ %854, %840 ]
-  %842 = getelementptr inbounds double, ptr %775, i64 %841
-  %843 = load double, ptr %842, align 8, !noalias !15
-  %844 = fmul double %831, %843
-  %845 = getelementptr double, ptr %786, i64 %841
-  %846 = load double, ptr %845, align 8, !noalias !15
-  %847 = fmul double %833, %846
-  %848 = fadd double %844, %847
-  %849 = getelementptr double, ptr %788, i64 %841
-  %850 = load double, ptr %849, align 8, !noalias !15
-  %851 = fmul double %835, %850
-  %852 = fadd double %848, %851
-  %853 = getelementptr double, ptr %836, i64 %841
-  store double %852, ptr %853, align 8, !noalias !15
-  %854 = add nuw nsw i64 %841, 1
-  %855 = icmp eq i64 %854, %772
-  br i1 %855, label %837, label %840, !llvm.loop !27
-
-856:                                              ; preds = %837
-  %857 = load ptr, ptr %83, align 8, !noalias !28
-  %858 = getelementptr inbounds i8, ptr %857, i64 40
-  %859 = load i64, ptr %858, align 8, !noalias !28
-  %860 = icmp sgt i64 %859, 0
-  %861 = select i1 %860, i64 10, i64 6
-  %862 = fdiv double 0x400572DB93E0C672, %535
-  %863 = fdiv double 0xC0086747F2C3FCB6, %535
-  %864 = fdiv double 0x400D1A48D83E731D, %535
-  %865 = fneg double %863
-  br label %869
-
-866:                                              ; preds = %1332
-  %867 = add nuw nsw i64 %873, 1
-  %868 = icmp eq i64 %867, %861
-  br i1 %868, label %1347, label %869, !llvm.loop !31
-
-869:                                              ; preds = %856, %866
-  %870 = phi double [ -1.000000e+00, %856 ], [ %1345, %866 ]
-  %871 = phi i64 [ %764, %856 ], [ %1344, %866 ]
-  %872 = phi i64 [ 0, %856 ], [ %1343, %866 ]
-  %873 = phi i64 [ 0, %856 ], [ %867, %866 ]
-  %874 = phi i64 [ 0, %856 ], [ %1341, %866 ]
-  %875 = phi i64 [ 0, %856 ], [ %963, %866 ]
-  %876 = phi i64 [ 0, %856 ], [ %962, %866 ]
-  %877 = phi double [ 0.000000e+00, %856 ], [ %1340, %866 ]
-  %878 = phi double [ 0.000000e+00, %856 ], [ %1339, %866 ]
-  %879 = phi double [ 0.000000e+00, %856 ], [ %961, %866 ]
-  %880 = phi i64 [ %460, %856 ], [ %1338, %866 ]
-  %881 = phi i64 [ %461, %856 ], [ %1337, %866 ]
-  %882 = phi i64 [ %462, %856 ], [ %1336, %866 ]
-  %883 = phi double [ %463, %856 ], [ %1335, %866 ]
-  %884 = phi double [ %464, %856 ], [ %1334, %866 ]
-  %885 = phi double [ %465, %856 ], [ %1333, %866 ]
-  %886 = icmp ugt i64 %873, 5
-  %887 = select i1 %886, i64 %874, i64 -1
-  %888 = and i64 %871, %887
-  %889 = load ptr, ptr %81, align 8, !noalias !28
-  %890 = getelementptr inbounds i8, ptr %889, i64 8
-  %891 = load i64, ptr %890, align 8, !noalias !28
-  %892 = load ptr, ptr %128, align 8, !noalias !28
-  %893 = icmp eq i64 %888, 0
-  br i1 %893, label %960, label %894
-
-894:                                              ; preds = %869
-  %895 = icmp sgt i64 %891, 0
-  br label %896
-
-896:                                              ; preds = %894, %928
-  %897 = phi i64 [ %888, %894 ], [ %943, %928 ]
-  %898 = phi i64 [ 0, %894 ], [ %944, %928 ]
-  %899 = phi i64 [ %875, %894 ], [ %941, %928 ]
-  %900 = phi i64 [ %876, %894 ], [ %939, %928 ]
-  %901 = phi double [ %879, %894 ], [ %909, %928 ]
-  br i1 %895, label %902, label %905
-
-902:                                              ; preds = %896
-  %903 = mul nuw nsw i64 %898, %891
-  %904 = getelementptr double, ptr %892, i64 %903
-  br label %948
-
-905:                                              ; preds = %948, %896
-  %906 = and i64 %897, 4294967295
-  %907 = icmp eq i64 %906, 0
-  %908 = select i1 %907, double 0.000000e+00, double 1.000000e+00
-  %909 = fadd double %901, %908
-  %910 = load ptr, ptr %131, align 8, !noalias !28
-  %911 = mul nsw i64 %898, %891
-  %912 = getelementptr inbounds double, ptr %910, i64 %911
-  %913 = getelementptr inbounds [3 x double], ptr @NODES, i64 0, i64 %898
-  %914 = load double, ptr %913, align 8, !noalias !28
-  %915 = fmul double %535, %914
-  %916 = fadd double %458, %915
-  %917 = load ptr, ptr %132, align 8, !noalias !28
-  %918 = load ptr, ptr %133, align 8, !noalias !28
-  store double %916, ptr %918, align 8, !noalias !28
-  %919 = load ptr, ptr %81, align 8, !noalias !28
-  %920 = getelementptr inbounds i8, ptr %919, i64 40
-  %921 = load i64, ptr %920, align 8, !noalias !28
-  %922 = icmp eq i64 %921, 0
-  br i1 %922, label %924, label %923
-
-923:                                              ; preds = %905
-  tail call fastcc void @settle(ptr noundef nonnull %81) #10, !noalias !28
-  br label %924
-
-924:                                              ; preds = %923, %905
-  %925 = load i64, ptr %134, align 8, !noalias !28
-  %926 = icmp sgt i64 %925, 0
-  br i1 %926, label %927, label %928
-
-927:                                              ; preds = %924
-  tail call fastcc void @sample(ptr noundef nonnull %81) #10, !noalias !28
-  br label %928
-
-928:                                              ; preds = %927, %924
-  %929 = load ptr, ptr %81, align 8, !noalias !28
-  %930 = load i64, ptr %929, align 8, !noalias !28
-  %931 = load ptr, ptr %133, align 8, !noalias !28
-  %932 = load ptr, ptr %135, align 8, !noalias !28
-  %933 = load ptr, ptr %136, align 8, !noalias !28
-  %934 = inttoptr i64 %930 to ptr
-  %935 = load ptr, ptr %934, align 8, !noalias !28
-  %936 = tail call i32 %935(ptr noundef %931, ptr noundef %917, ptr noundef %932, ptr noundef %933, ptr noundef %912) #11, !noalias !28
-  %937 = sext i32 %936 to i64
-  %938 = icmp slt i32 %936, 0
-  %939 = select i1 %938, i64 %937, i64 %900
-  %940 = and i64 %897, %937
-  %941 = or i64 %940, %899
-  %942 = xor i64 %937, -1
-  %943 = and i64 %897, %942
-  %944 = add nuw nsw i64 %898, 1
-  %945 = icmp ult i64 %898, 2
-  %946 = icmp ne i64 %943, 0
-  %947 = select i1 %945, i1 %946, i1 false
-  br i1 %947, label %896, label %960, !llvm.loop !32
-
-948:                                              ; preds = %902, %948
-  %949 = phi i64 [ 0, %902 ], [ %958, %948 ]
-  %950 = load ptr, ptr %130, align 8, !noalias !28
-  %951 = load ptr, ptr %82, align 8, !noalias !28
-  %952 = getelementptr inbounds double, ptr %951, i64 %949
-  %953 = load double, ptr %952, align 8, !noalias !28
-  %954 = getelementptr double, ptr %904, i64 %949
-  %955 = load double, ptr %954, align 8, !noalias !28
-  %956 = fadd double %953, %955
-  %957 = getelementptr inbounds double, ptr %950, i64 %949
-  store double %956, ptr %957, align 8, !noalias !28
-  %958 = add nuw nsw i64 %949, 1
-  %959 = icmp eq i64 %958, %891
-  br i1 %959, label %905, label %948, !llvm.loop !33
-
-960:                                              ; preds = %928, %869
-  %961 = phi double [ %879, %869 ], [ %909, %928 ]
-  %962 = phi i64 [ %876, %869 ], [ %939, %928 ]
-  %963 = phi i64 [ %875, %869 ], [ %941, %928 ]
-  %964 = phi i64 [ %888, %869 ], [ %943, %928 ]
-  %965 = icmp eq i64 %964, 0
-  br i1 %965, label %966, label %970
-
-966:                                              ; preds = %960
-  %967 = or i64 %888, %872
-  %968 = xor i64 %967, -1
-  %969 = and i64 %874, %968
-  br label %1332
-
-970:                                              ; preds = %960
-  %971 = load ptr, ptr %81, align 8, !noalias !28
-  %972 = getelementptr inbounds i8, ptr %971, i64 8
-  %973 = load i64, ptr %972, align 8, !noalias !28
-  %974 = getelementptr inbounds i8, ptr %971, i64 24
-  %975 = load i64, ptr %974, align 8, !noalias !28
-  %976 = load ptr, ptr %137, align 8, !noalias !28
-  %977 = load ptr, ptr %129, align 8, !noalias !28
-  %978 = icmp sgt i64 %973, 0
-  br i1 %978, label %979, label %1061
-
-979:                                              ; preds = %970
-  %980 = shl nuw nsw i64 %973, 1
-  br label %981
-
-981:                                              ; preds = %979, %1057
-  %982 = phi i32 [ 1, %979 ], [ %997, %1057 ]
-  %983 = phi i64 [ 0, %979 ], [ %1059, %1057 ]
-  %984 = phi double [ 0.000000e+00, %979 ], [ %1058, %1057 ]
-  %985 = getelementptr inbounds double, ptr %976, i64 %983
-  %986 = load double, ptr %985, align 8, !noalias !28
-  %987 = add nuw nsw i64 %983, %973
-  %988 = getelementptr inbounds double, ptr %976, i64 %987
-  %989 = load double, ptr %988, align 8, !noalias !28
-  %990 = fadd double %986, %989
-  %991 = add nuw nsw i64 %983, %980
-  %992 = getelementptr inbounds double, ptr %976, i64 %991
-  %993 = load double, ptr %992, align 8, !noalias !28
-  %994 = fadd double %990, %993
-  %995 = tail call double @llvm.fabs.f64(double %994)
-  %996 = fcmp one double %995, 0x7FF0000000000000
-  %997 = select i1 %996, i32 %982, i32 0
-  %998 = getelementptr inbounds double, ptr %977, i64 %987
-  %999 = load double, ptr %998, align 8, !noalias !28
-  %1000 = getelementptr inbounds double, ptr %977, i64 %991
-  %1001 = load double, ptr %1000, align 8, !noalias !28
-  %1002 = fmul double %986, 0xC010B70201A79C46
-  %1003 = fmul double %989, 0x3FD4F8C15DA84E86
-  %1004 = fsub double %1002, %1003
-  %1005 = fmul double %993, 0x3FDE810014C55221
-  %1006 = fadd double %1004, %1005
-  %1007 = fmul double %986, 0x3FE017885A24A7F2
-  %1008 = fmul double %989, 0x4004934E6FCAA598
-  %1009 = fsub double %1007, %1008
-  %1010 = fmul double %993, 0x3FE312C0CF7BDFD1
-  %1011 = fadd double %1009, %1010
-  %1012 = fmul double %986, 0x4010B70201A79C46
-  %1013 = fmul double %989, 0x3FD4F8C15DA84E86
-  %1014 = fadd double %1012, %1013
-  %1015 = fmul double %993, 0x3FE0BF7FF59D56EF
-  %1016 = fadd double %1014, %1015
-  %1017 = getelementptr inbounds double, ptr %977, i64 %983
-  %1018 = load double, ptr %1017, align 8, !noalias !28
-  %1019 = fmul double %864, %1018
-  %1020 = fsub double %1016, %1019
-  %1021 = fmul double %1001, %865
-  %1022 = tail call double @llvm.fma.f64(double %862, double %999, double %1021)
-  %1023 = fmul double %863, %999
-  %1024 = tail call double @llvm.fma.f64(double %862, double %1001, double %1023)
-  %1025 = fsub double %1006, %1022
-  %1026 = fsub double %1011, %1024
-  %1027 = load ptr, ptr %138, align 8, !noalias !28
-  %1028 = getelementptr inbounds double, ptr %1027, i64 %983
-  store double %1020, ptr %1028, align 8, !noalias !28
-  %1029 = load ptr, ptr %139, align 8, !noalias !28
-  %1030 = shl nuw nsw i64 %983, 1
-  %1031 = getelementptr inbounds double, ptr %1029, i64 %1030
-  store double %1025, ptr %1031, align 8, !noalias !28
-  %1032 = or disjoint i64 %1030, 1
-  %1033 = getelementptr inbounds double, ptr %1029, i64 %1032
-  store double %1026, ptr %1033, align 8, !noalias !28
-  %1034 = icmp slt i64 %983, %975
-  br i1 %1034, label %1035, label %1057
-
-1035:                                             ; preds = %981
-  %1036 = load ptr, ptr %82, align 8, !noalias !28
-  %1037 = getelementptr inbounds double, ptr %1036, i64 %983
-  %1038 = load double, ptr %1037, align 8, !noalias !28
-  %1039 = tail call double @llvm.fabs.f64(double %1020)
-  %1040 = tail call double @llvm.fabs.f64(double %1025)
-  %1041 = tail call double @llvm.fabs.f64(double %1026)
-  %1042 = fadd double %1041, %1040
-  %1043 = fadd double %1039, %1042
-  %1044 = fmul double %535, %1043
-  %1045 = load ptr, ptr %140, align 8, !noalias !28
-  %1046 = getelementptr inbounds double, ptr %1045, i64 %983
-  %1047 = load double, ptr %1046, align 8, !noalias !28
-  %1048 = load ptr, ptr %88, align 8, !noalias !28
-  %1049 = getelementptr inbounds double, ptr %1048, i64 %983
-  %1050 = load double, ptr %1049, align 8, !noalias !28
-  %1051 = tail call double @llvm.fabs.f64(double %1038)
-  %1052 = fmul double %1051, %1050
-  %1053 = fadd double %1047, %1052
-  %1054 = fdiv double %1044, %1053
-  %1055 = fmul double %1054, %1054
-  %1056 = fadd double %984, %1055
+  %336 = icmp eq i64 %335, 0
+  br i1 %336, label %2760, label %337
+
+337:                                              ; preds = %325
+  %338 = load ptr, ptr %190, align 8
+  %339 = getelementptr inbounds i8, ptr %338, i64 8
+  %340 = load i64, ptr %339, align 8
+  %341 = load ptr, ptr %195, align 8
+  %342 = load i64, ptr %196, align 8
+  %343 = getelementptr double, ptr %341, i64 %342
+  %344 = getelementptr i8, ptr %343, i64 -8
+  %345 = load double, ptr %344, align 8
+  %346 = load double, ptr %341, align 8
+  %347 = fsub double %345, %346
+  %348 = fmul double %347, 0x3D70000000000000
+  %349 = load ptr, ptr %197, align 8, !noalias !9
+  %350 = load double, ptr %349, align 8, !noalias !9
+  %351 = icmp sgt i64 %340, 0
+  br i1 %351, label %352, label %361
+
+352:                                              ; preds = %337, %352
+  %353 = phi i64 [ %359, %352 ], [ 0, %337 ]
+  %354 = phi double [ %358, %352 ], [ %350, %337 ]
+  %355 = getelementptr inbounds double, ptr %349, i64 %353
+  %356 = load double, ptr %355, align 8, !noalias !9
+  %357 = fcmp olt double %356, %354
+  %358 = select i1 %357, double %356, double %354
+  %359 = add nuw nsw i64 %353, 1
+  %360 = icmp eq i64 %359, %340
+  br i1 %360, label %361, label %352, !llvm.loop !12
+
+361:                                              ; preds = %352, %337
+  %362 = phi double [ %350, %337 ], [ %358, %352 ]
+  %363 = load ptr, ptr %198, align 8
+  %364 = load i64, ptr %363, align 8
+  %365 = icmp eq i64 %364, 1
+  %366 = load ptr, ptr %199, align 8
+  %367 = getelementptr inbounds i8, ptr %366, i64 8
+  %368 = load i64, ptr %367, align 8
+  %369 = icmp sgt i64 %368, 0
+  %370 = load double, ptr %332, align 8
+  %371 = getelementptr inbounds i8, ptr %332, i64 8
+  %372 = load double, ptr %371, align 8
+  %373 = load i64, ptr %333, align 8
+  %374 = icmp eq i64 %373, 0
+  br i1 %374, label %375, label %526
+
+375:                                              ; preds = %361
+  %376 = load i64, ptr %200, align 8
+  %377 = icmp eq i64 %376, 0
+  br i1 %377, label %407, label %378
+
+378:                                              ; preds = %375
+  %379 = icmp sgt i64 %376, 0
+  br i1 %379, label %380, label %395
+
+380:                                              ; preds = %378
+  %381 = load ptr, ptr %201, align 8
+  br label %382
+
+382:                                              ; preds = %380, %382
+  %383 = phi i64 [ 0, %380 ], [ %393, %382 ]
+  %384 = phi i64 [ %376, %380 ], [ %392, %382 ]
+  %385 = add nuw nsw i64 %383, %384
+  %386 = lshr i64 %385, 1
+  %387 = mul i64 %386, 24
+  %388 = getelementptr inbounds i8, ptr %381, i64 %387
+  %389 = load double, ptr %388, align 8
+  %390 = fcmp ogt double %389, %370
+  %391 = add nuw nsw i64 %386, 1
+  %392 = select i1 %390, i64 %386, i64 %384
+  %393 = select i1 %390, i64 %383, i64 %391
+  %394 = icmp slt i64 %393, %392
+  br i1 %394, label %382, label %395, !llvm.loop !13
+
+395:                                              ; preds = %382, %378
+  %396 = phi i64 [ 0, %378 ], [ %393, %382 ]
+  %397 = icmp slt i64 %396, %376
+  br i1 %397, label %398, label %404
+
+398:                                              ; preds = %395
+  %399 = load ptr, ptr %201, align 8
+  %400 = mul i64 %396, 24
+  %401 = getelementptr inbounds i8, ptr %399, i64 %400
+  %402 = getelementptr inbounds i8, ptr %401, i64 8
+  %403 = load double, ptr %402, align 8
+  br label %404
+
+404:                                              ; preds = %398, %395
+  %405 = phi double [ %403, %398 ], [ 0x7FF0000000000000, %395 ]
+  %406 = load ptr, ptr %202, align 8
+  store double %405, ptr %406, align 8
+  br label %407
+
+407:                                              ; preds = %404, %375
+  %408 = getelementptr inbounds i8, ptr %333, i64 24
+  %409 = load i64, ptr %408, align 8
+  %410 = add nsw i64 %409, 1
+  store i64 %410, ptr %408, align 8
+  %411 = load ptr, ptr %191, align 8
+  %412 = load ptr, ptr %203, align 8
+  %413 = load ptr, ptr %204, align 8
+  store double %370, ptr %413, align 8
+  %414 = load ptr, ptr %190, align 8
+  %415 = getelementptr inbounds i8, ptr %414, i64 40
+  %416 = load i64, ptr %415, align 8
+  %417 = icmp eq i64 %416, 0
+  br i1 %417, label %419, label %418
+
+418:                                              ; preds = %407
+  tail call fastcc void @settle(ptr noundef nonnull %190) #11
+  br label %419
+
+419:                                              ; preds = %418, %407
+  %420 = load i64, ptr %205, align 8
+  %421 = icmp sgt i64 %420, 0
+  br i1 %421, label %422, label %423
+
+422:                                              ; preds = %419
+  tail call fastcc void @sample(ptr noundef nonnull %190) #11
+  br label %423
+
+423:                                              ; preds = %419, %422
+  %424 = load ptr, ptr %190, align 8
+  %425 = load i64, ptr %424, align 8
+  %426 = load ptr, ptr %204, align 8
+  %427 = load ptr, ptr %206, align 8
+  %428 = load ptr, ptr %207, align 8
+  %429 = inttoptr i64 %425 to ptr
+  %430 = load ptr, ptr %429, align 8
+  %431 = tail call i32 %430(ptr noundef %426, ptr noundef %411, ptr noundef %427, ptr noundef %428, ptr noundef %412) #10
+  %432 = icmp eq i32 %431, 0
+  br i1 %432, label %437, label %433
+
+433:                                              ; preds = %423
+  %434 = getelementptr inbounds i8, ptr %333, i64 72
+  store i64 3, ptr %434, align 8
+  %435 = icmp slt i32 %431, 0
+  %436 = select i1 %435, i64 -4, i64 2
+  br label %2760
+
+437:                                              ; preds = %423
+  store i64 1, ptr %333, align 8
+  %438 = load ptr, ptr %192, align 8
+  %439 = getelementptr inbounds i8, ptr %438, i64 16
+  %440 = load i64, ptr %439, align 8
+  %441 = and i64 %440, -2
+  store i64 %441, ptr %439, align 8
+  %442 = load ptr, ptr %192, align 8
+  %443 = getelementptr inbounds i8, ptr %442, i64 32
+  %444 = load i64, ptr %443, align 8
+  %445 = or i64 %444, 1
+  store i64 %445, ptr %443, align 8
+  %446 = load ptr, ptr %192, align 8
+  %447 = getelementptr inbounds i8, ptr %446, i64 8
+  %448 = load i64, ptr %447, align 8
+  %449 = and i64 %448, -2
+  %450 = getelementptr inbounds i8, ptr %446, i64 16
+  %451 = load i64, ptr %450, align 8
+  %452 = and i64 %451, 1
+  %453 = or disjoint i64 %452, %449
+  %454 = xor i64 %453, 1
+  store i64 %454, ptr %447, align 8
+  %455 = load ptr, ptr %208, align 8
+  %456 = getelementptr inbounds i8, ptr %455, i64 8
+  store double 0.000000e+00, ptr %456, align 8
+  %457 = load ptr, ptr %208, align 8
+  %458 = getelementptr inbounds i8, ptr %457, i64 24
+  store double 0.000000e+00, ptr %458, align 8
+  %459 = load ptr, ptr %191, align 8
+  %460 = load ptr, ptr %190, align 8
+  %461 = getelementptr inbounds i8, ptr %460, i64 8
+  %462 = load i64, ptr %461, align 8
+  %463 = load i64, ptr %196, align 8
+  %464 = load ptr, ptr %195, align 8
+  %465 = load ptr, ptr %194, align 8
+  %466 = getelementptr inbounds i8, ptr %465, i64 48
+  %467 = load i64, ptr %466, align 8
+  %468 = icmp slt i64 %467, %463
+  br i1 %468, label %469, label %492
+
+469:                                              ; preds = %437
+  %470 = icmp sgt i64 %462, 0
+  br label %471
+
+471:                                              ; preds = %469, %482
+  %472 = phi i64 [ %467, %469 ], [ %483, %482 ]
+  %473 = getelementptr inbounds double, ptr %464, i64 %472
+  %474 = load double, ptr %473, align 8
+  %475 = load ptr, ptr %193, align 8
+  %476 = load double, ptr %475, align 8
+  %477 = fcmp ugt double %474, %476
+  br i1 %477, label %492, label %478
+
+478:                                              ; preds = %471
+  br i1 %470, label %479, label %482
+
+479:                                              ; preds = %478
+  %480 = mul nsw i64 %472, %462
+  %481 = getelementptr double, ptr %1, i64 %480
+  br label %485
+
+482:                                              ; preds = %485, %478
+  %483 = add i64 %472, 1
+  %484 = icmp eq i64 %483, %463
+  br i1 %484, label %492, label %471, !llvm.loop !14
+
+485:                                              ; preds = %479, %485
+  %486 = phi i64 [ 0, %479 ], [ %490, %485 ]
+  %487 = getelementptr inbounds double, ptr %459, i64 %486
+  %488 = load double, ptr %487, align 8
+  %489 = getelementptr double, ptr %481, i64 %486
+  store double %488, ptr %489, align 8
+  %490 = add nuw nsw i64 %486, 1
+  %491 = icmp eq i64 %490, %462
+  br i1 %491, label %482, label %485, !llvm.loop !15
+
+492:                                              ; preds = %471, %482, %437
+  %493 = phi i64 [ %467, %437 ], [ %472, %471 ], [ %463, %482 ]
+  %494 = load ptr, ptr %194, align 8
+  %495 = getelementptr inbounds i8, ptr %494, i64 48
+  store i64 %493, ptr %495, align 8
+  %496 = icmp eq i64 %493, %463
+  br i1 %496, label %2760, label %497
+
+497:                                              ; preds = %492
+  %498 = fcmp oeq double %372, 0.000000e+00
+  br i1 %498, label %499, label %526
+
+499:                                              ; preds = %497
+  %500 = load ptr, ptr %190, align 8
+  %501 = getelementptr inbounds i8, ptr %500, i64 24
+  %502 = load i64, ptr %501, align 8
+  %503 = getelementptr inbounds i8, ptr %332, i64 16
+  %504 = load double, ptr %503, align 8
+  %505 = load ptr, ptr %191, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %11, ptr noundef %505, ptr noundef %505, ptr noundef nonnull %191, i64 noundef %502) #11
+  %506 = load double, ptr %11, align 8
+  %507 = load ptr, ptr %209, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %12, ptr noundef %507, ptr noundef %505, ptr noundef nonnull %191, i64 noundef %502) #11
+  %508 = load double, ptr %12, align 8
+  %509 = fcmp uge double %506, 1.000000e-05
+  %510 = fcmp uge double %508, 1.000000e-05
+  %511 = and i1 %509, %510
+  %512 = fmul double %506, 1.000000e-02
+  %513 = fdiv double %512, %508
+  %514 = select i1 %511, double %513, double 0x3EB0C6F7A0B5ED8D
+  %515 = fcmp olt double %504, %514
+  %516 = select i1 %515, double %504, double %514
+  %517 = tail call double @llvm.fabs.f64(double %370)
+  %518 = fmul double %517, 0x3D30000000000000
+  %519 = fcmp ogt double %518, %516
+  %520 = select i1 %519, double %518, double %516
+  %521 = fcmp olt double %504, %520
+  %522 = select i1 %521, double %504, double %520
+  %523 = tail call i1 @llvm.is.fpclass.f64(double %522, i32 639)
+  br i1 %523, label %524, label %526
+
+524:                                              ; preds = %499
+  %525 = getelementptr inbounds i8, ptr %333, i64 72
+  store i64 4, ptr %525, align 8
+  br label %526
+
+526:                                              ; preds = %499, %524, %497, %361
+  %527 = phi double [ %372, %497 ], [ %372, %361 ], [ %522, %524 ], [ %522, %499 ]
+  %528 = load i64, ptr %334, align 8
+  %529 = icmp eq i64 %528, 0
+  br i1 %529, label %556, label %530
+
+530:                                              ; preds = %526
+  %531 = getelementptr inbounds i8, ptr %333, i64 8
+  %532 = getelementptr inbounds i8, ptr %333, i64 16
+  %533 = getelementptr inbounds i8, ptr %333, i64 64
+  %534 = getelementptr inbounds i8, ptr %332, i64 16
+  %535 = fcmp ogt double %362, 0x3CB0000000000000
+  %536 = select i1 %535, double %362, double 0x3CB0000000000000
+  %537 = fdiv double 0x3CE4000000000000, %536
+  %538 = tail call double @llvm.sqrt.f64(double %362)
+  %539 = fcmp olt double %538, 3.000000e-02
+  %540 = select i1 %539, double %538, double 3.000000e-02
+  %541 = fcmp ogt double %540, %537
+  %542 = select i1 %541, double %540, double %537
+  %543 = fmul double %362, %542
+  %544 = fmul double %543, %543
+  %545 = getelementptr inbounds i8, ptr %333, i64 24
+  %546 = getelementptr inbounds i8, ptr %333, i64 32
+  %547 = getelementptr inbounds i8, ptr %333, i64 40
+  %548 = getelementptr inbounds i8, ptr %333, i64 72
+  %549 = getelementptr inbounds i8, ptr %332, i64 32
+  %550 = getelementptr inbounds i8, ptr %333, i64 48
+  %551 = icmp sgt i64 %340, 0
+  %552 = getelementptr inbounds i8, ptr %333, i64 72
+  %553 = getelementptr inbounds i8, ptr %333, i64 48
+  %554 = getelementptr inbounds i8, ptr %333, i64 72
+  %555 = getelementptr inbounds i8, ptr %333, i64 72
+  br label %564
+
+556:                                              ; preds = %2757, %526
+  %557 = phi double [ %326, %526 ], [ %2747, %2757 ]
+  %558 = phi double [ %327, %526 ], [ %2748, %2757 ]
+  %559 = phi double [ %328, %526 ], [ %2749, %2757 ]
+  %560 = phi i64 [ %329, %526 ], [ %2750, %2757 ]
+  %561 = phi i64 [ %330, %526 ], [ %2751, %2757 ]
+  %562 = phi i64 [ %331, %526 ], [ %2752, %2757 ]
+  %563 = phi double [ %527, %526 ], [ %2753, %2757 ]
+  store double %563, ptr %371, align 8
+  br label %2760
+
+564:                                              ; preds = %530, %2757
+  %565 = phi i64 [ %528, %530 ], [ %2758, %2757 ]
+  %566 = phi i64 [ undef, %530 ], [ %2756, %2757 ]
+  %567 = phi double [ %370, %530 ], [ %2754, %2757 ]
+  %568 = phi double [ %527, %530 ], [ %2753, %2757 ]
+  %569 = phi i64 [ %331, %530 ], [ %2752, %2757 ]
+  %570 = phi i64 [ %330, %530 ], [ %2751, %2757 ]
+  %571 = phi i64 [ %329, %530 ], [ %2750, %2757 ]
+  %572 = phi double [ %328, %530 ], [ %2749, %2757 ]
+  %573 = phi double [ %327, %530 ], [ %2748, %2757 ]
+  %574 = phi double [ %326, %530 ], [ %2747, %2757 ]
+  %575 = load ptr, ptr %210, align 8
+  %576 = getelementptr inbounds i8, ptr %575, i64 8
+  %577 = load i64, ptr %576, align 8
+  %578 = icmp sgt i64 %577, 0
+  br i1 %578, label %579, label %584
+
+579:                                              ; preds = %564
+  %580 = load i64, ptr %575, align 8
+  %581 = add nsw i64 %580, 3
+  %582 = icmp slt i64 %577, %581
+  %583 = zext i1 %582 to i32
+  br label %584
+
+584:                                              ; preds = %564, %579
+  %585 = phi i32 [ 0, %564 ], [ %583, %579 ]
+  %586 = icmp eq i32 %585, 0
+  br i1 %586, label %588, label %587
+
+587:                                              ; preds = %584
+  store double %568, ptr %371, align 8
+  br label %2760
+
+588:                                              ; preds = %584
+  %589 = add nsw i64 %565, -1
+  store i64 %589, ptr %334, align 8
+  %590 = load i64, ptr %531, align 8
+  %591 = load i64, ptr %532, align 8
+  %592 = add nsw i64 %591, %590
+  %593 = load i64, ptr %533, align 8
+  %594 = icmp slt i64 %592, %593
+  br i1 %594, label %596, label %595
+
+595:                                              ; preds = %588
+  store double %568, ptr %371, align 8
+  br label %2760
+
+596:                                              ; preds = %588
+  %597 = load i64, ptr %211, align 8
+  %598 = icmp eq i64 %597, 0
+  br i1 %598, label %632, label %599
+
+599:                                              ; preds = %596
+  %600 = icmp sgt i64 %597, 0
+  br i1 %600, label %601, label %616
+
+601:                                              ; preds = %599
+  %602 = load ptr, ptr %212, align 8
+  br label %603
+
+603:                                              ; preds = %601, %603
+  %604 = phi i64 [ 0, %601 ], [ %614, %603 ]
+  %605 = phi i64 [ %597, %601 ], [ %613, %603 ]
+  %606 = add nuw nsw i64 %604, %605
+  %607 = lshr i64 %606, 1
+  %608 = mul i64 %607, 24
+  %609 = getelementptr inbounds i8, ptr %602, i64 %608
+  %610 = load double, ptr %609, align 8
+  %611 = fcmp ogt double %610, %567
+  %612 = add nuw nsw i64 %607, 1
+  %613 = select i1 %611, i64 %607, i64 %605
+  %614 = select i1 %611, i64 %604, i64 %612
+  %615 = icmp slt i64 %614, %613
+  br i1 %615, label %603, label %616, !llvm.loop !13
+
+616:                                              ; preds = %603, %599
+  %617 = phi i64 [ 0, %599 ], [ %614, %603 ]
+  %618 = load ptr, ptr %212, align 8
+  %619 = mul i64 %617, 24
+  %620 = getelementptr inbounds i8, ptr %618, i64 %619
+  %621 = icmp slt i64 %617, %597
+  br i1 %621, label %622, label %625
+
+622:                                              ; preds = %616
+  %623 = getelementptr inbounds i8, ptr %620, i64 8
+  %624 = load double, ptr %623, align 8
+  br label %625
+
+625:                                              ; preds = %622, %616
+  %626 = phi double [ %624, %622 ], [ 0x7FF0000000000000, %616 ]
+  %627 = load ptr, ptr %213, align 8
+  store double %626, ptr %627, align 8
+  %628 = load i64, ptr %211, align 8
+  %629 = icmp slt i64 %617, %628
+  br i1 %629, label %630, label %632
+
+630:                                              ; preds = %625
+  %631 = load double, ptr %620, align 8
+  br label %632
+
+632:                                              ; preds = %596, %625, %630
+  %633 = phi double [ 0x7FF0000000000000, %596 ], [ %631, %630 ], [ 0x7FF0000000000000, %625 ]
+  %634 = fcmp olt double %345, %633
+  %635 = select i1 %634, double %345, double %633
+  %636 = load double, ptr %534, align 8
+  %637 = fcmp olt double %568, %636
+  %638 = select i1 %637, double %568, double %636
+  %639 = fadd double %567, %638
+  %640 = fmul double %638, 1.000000e-03
+  %641 = fsub double %635, %640
+  %642 = fcmp ule double %639, %641
+  %643 = select i1 %642, double %639, double %635
+  %644 = fsub double %643, %567
+  %645 = fmul double %644, 6.250000e-02
+  %646 = fadd double %567, %645
+  %647 = fcmp ule double %646, %567
+  %648 = fcmp une double %643, %635
+  %649 = and i1 %648, %647
+  br i1 %649, label %650, label %651
+
+650:                                              ; preds = %632
+  store double %644, ptr %371, align 8
+  br label %2746
+
+651:                                              ; preds = %632
+  %652 = load ptr, ptr %190, align 8, !noalias !16
+  %653 = getelementptr inbounds i8, ptr %652, i64 8
+  %654 = load i64, ptr %653, align 8, !noalias !16
+  %655 = load ptr, ptr %192, align 8, !noalias !16
+  %656 = getelementptr inbounds i8, ptr %655, i64 8
+  %657 = load i64, ptr %656, align 8, !noalias !16
+  %658 = and i64 %657, 1
+  %659 = getelementptr inbounds i8, ptr %655, i64 32
+  %660 = load i64, ptr %659, align 8, !noalias !16
+  %661 = and i64 %660, 1
+  %662 = icmp eq i64 %658, 0
+  br i1 %662, label %794, label %663
+
+663:                                              ; preds = %651
+  %664 = load ptr, ptr %215, align 8, !noalias !16
+  %665 = load i64, ptr %655, align 8, !noalias !16
+  %666 = icmp eq i64 %665, 0
+  br i1 %666, label %667, label %669
+
+667:                                              ; preds = %663
+  %668 = icmp sgt i64 %654, 0
+  br i1 %668, label %693, label %691
+
+669:                                              ; preds = %663
+  %670 = load ptr, ptr %216, align 8, !noalias !16
+  store double %567, ptr %670, align 8, !noalias !16
+  %671 = load ptr, ptr %190, align 8, !noalias !16
+  %672 = getelementptr inbounds i8, ptr %671, i64 40
+  %673 = load i64, ptr %672, align 8, !noalias !16
+  %674 = icmp eq i64 %673, 0
+  br i1 %674, label %676, label %675
+
+675:                                              ; preds = %669
+  tail call fastcc void @settle(ptr noundef nonnull %190) #11, !noalias !16
+  br label %676
+
+676:                                              ; preds = %675, %669
+  %677 = load i64, ptr %217, align 8, !noalias !16
+  %678 = icmp sgt i64 %677, 0
+  br i1 %678, label %679, label %680
+
+679:                                              ; preds = %676
+  tail call fastcc void @sample(ptr noundef nonnull %190) #11, !noalias !16
+  br label %680
+
+680:                                              ; preds = %679, %676
+  %681 = load ptr, ptr %192, align 8, !noalias !16
+  %682 = load i64, ptr %681, align 8, !noalias !16
+  %683 = load ptr, ptr %216, align 8, !noalias !16
+  %684 = load ptr, ptr %191, align 8, !noalias !16
+  %685 = load ptr, ptr %218, align 8, !noalias !16
+  %686 = load ptr, ptr %219, align 8, !noalias !16
+  %687 = inttoptr i64 %682 to ptr
+  %688 = load ptr, ptr %687, align 8, !noalias !16
+  %689 = tail call i32 %688(ptr noundef %683, ptr noundef %684, ptr noundef %685, ptr noundef %686, ptr noundef %664) #10, !noalias !16
+  %690 = sext i32 %689 to i64
+  br label %765
+
+691:                                              ; preds = %693, %667
+  %692 = icmp sgt i64 %654, 0
+  br i1 %692, label %705, label %765
+
+693:                                              ; preds = %667, %693
+  %694 = phi i64 [ %700, %693 ], [ 0, %667 ]
+  %695 = load ptr, ptr %191, align 8, !noalias !16
+  %696 = getelementptr inbounds double, ptr %695, i64 %694
+  %697 = load double, ptr %696, align 8, !noalias !16
+  %698 = load ptr, ptr %220, align 8, !noalias !16
+  %699 = getelementptr inbounds double, ptr %698, i64 %694
+  store double %697, ptr %699, align 8, !noalias !16
+  %700 = add nuw nsw i64 %694, 1
+  %701 = icmp eq i64 %700, %654
+  br i1 %701, label %691, label %693, !llvm.loop !19
+
+702:                                              ; preds = %763
+  %703 = add nuw nsw i64 %707, 1
+  %704 = icmp eq i64 %703, %654
+  br i1 %704, label %765, label %705, !llvm.loop !20
+
+705:                                              ; preds = %691, %702
+  %706 = phi i64 [ %764, %702 ], [ undef, %691 ]
+  %707 = phi i64 [ %703, %702 ], [ 0, %691 ]
+  %708 = phi double [ %719, %702 ], [ 0.000000e+00, %691 ]
+  %709 = load ptr, ptr %191, align 8, !noalias !16
+  %710 = getelementptr inbounds double, ptr %709, i64 %707
+  %711 = load double, ptr %710, align 8, !noalias !16
+  %712 = tail call double @llvm.fabs.f64(double %711)
+  %713 = fcmp olt double %712, 1.000000e-05
+  %714 = select i1 %713, double 1.000000e-05, double %712
+  %715 = fmul double %714, 1.500000e-08
+  %716 = fadd double %711, %715
+  %717 = load ptr, ptr %221, align 8, !noalias !16
+  %718 = getelementptr inbounds double, ptr %717, i64 %707
+  store double %716, ptr %718, align 8, !noalias !16
+  %719 = fadd double %708, 1.000000e+00
+  %720 = load ptr, ptr %221, align 8, !noalias !16
+  %721 = load ptr, ptr %222, align 8, !noalias !16
+  %722 = load ptr, ptr %223, align 8, !noalias !16
+  store double %567, ptr %722, align 8, !noalias !16
+  %723 = load ptr, ptr %190, align 8, !noalias !16
+  %724 = getelementptr inbounds i8, ptr %723, i64 40
+  %725 = load i64, ptr %724, align 8, !noalias !16
+  %726 = icmp eq i64 %725, 0
+  br i1 %726, label %728, label %727
+
+727:                                              ; preds = %705
+  tail call fastcc void @settle(ptr noundef nonnull %190) #11, !noalias !16
+  br label %728
+
+728:                                              ; preds = %727, %705
+  %729 = load i64, ptr %224, align 8, !noalias !16
+  %730 = icmp sgt i64 %729, 0
+  br i1 %730, label %731, label %732
+
+731:                                              ; preds = %728
+  tail call fastcc void @sample(ptr noundef nonnull %190) #11, !noalias !16
+  br label %732
+
+732:                                              ; preds = %731, %728
+  %733 = load ptr, ptr %190, align 8, !noalias !16
+  %734 = load i64, ptr %733, align 8, !noalias !16
+  %735 = load ptr, ptr %223, align 8, !noalias !16
+  %736 = load ptr, ptr %225, align 8, !noalias !16
+  %737 = load ptr, ptr %226, align 8, !noalias !16
+  %738 = inttoptr i64 %734 to ptr
+  %739 = load ptr, ptr %738, align 8, !noalias !16
+  %740 = tail call i32 %739(ptr noundef %735, ptr noundef %720, ptr noundef %736, ptr noundef %737, ptr noundef %721) #10, !noalias !16
+  %741 = sext i32 %740 to i64
+  %742 = icmp eq i32 %740, 0
+  br i1 %742, label %743, label %763
+
+743:                                              ; preds = %732
+  %744 = getelementptr double, ptr %664, i64 %707
+  %745 = fsub double %716, %711
+  br label %749
+
+746:                                              ; preds = %749
+  %747 = load ptr, ptr %221, align 8, !noalias !16
+  %748 = getelementptr inbounds double, ptr %747, i64 %707
+  store double %711, ptr %748, align 8, !noalias !16
+  br label %763
+
+749:                                              ; preds = %743, %749
+  %750 = phi i64 [ 0, %743 ], [ %761, %749 ]
+  %751 = load ptr, ptr %222, align 8, !noalias !16
+  %752 = getelementptr inbounds double, ptr %751, i64 %750
+  %753 = load double, ptr %752, align 8, !noalias !16
+  %754 = load ptr, ptr %227, align 8, !noalias !16
+  %755 = getelementptr inbounds double, ptr %754, i64 %750
+  %756 = load double, ptr %755, align 8, !noalias !16
+  %757 = fsub double %753, %756
+  %758 = fdiv double %757, %745
+  %759 = mul nuw nsw i64 %750, %654
+  %760 = getelementptr double, ptr %744, i64 %759
+  store double %758, ptr %760, align 8, !noalias !16
+  %761 = add nuw nsw i64 %750, 1
+  %762 = icmp eq i64 %761, %654
+  br i1 %762, label %746, label %749, !llvm.loop !21
+
+763:                                              ; preds = %746, %732
+  %764 = phi i64 [ %706, %746 ], [ %741, %732 ]
+  br i1 %742, label %702, label %765
+
+765:                                              ; preds = %763, %702, %691, %680
+  %766 = phi double [ 0.000000e+00, %680 ], [ 0.000000e+00, %691 ], [ %719, %702 ], [ %719, %763 ]
+  %767 = phi i64 [ %690, %680 ], [ 0, %691 ], [ %764, %763 ], [ 0, %702 ]
+  %768 = load i64, ptr %228, align 8, !noalias !16
+  %769 = icmp sgt i64 %768, 0
+  br i1 %769, label %770, label %783
+
+770:                                              ; preds = %765, %770
+  %771 = phi i64 [ %780, %770 ], [ 0, %765 ]
+  %772 = load ptr, ptr %215, align 8, !noalias !16
+  %773 = getelementptr inbounds double, ptr %772, i64 %771
+  %774 = load double, ptr %773, align 8, !noalias !16
+  %775 = tail call double @llvm.fabs.f64(double %774)
+  %776 = fcmp ueq double %775, 0x7FF0000000000000
+  %777 = select i1 %776, double 0.000000e+00, double %774
+  %778 = load ptr, ptr %214, align 8, !noalias !16
+  %779 = getelementptr inbounds double, ptr %778, i64 %771
+  store double %777, ptr %779, align 8, !noalias !16
+  %780 = add nuw nsw i64 %771, 1
+  %781 = load i64, ptr %228, align 8, !noalias !16
+  %782 = icmp slt i64 %780, %781
+  br i1 %782, label %770, label %783, !llvm.loop !22
+
+783:                                              ; preds = %770, %765
+  %784 = icmp slt i64 %767, 0
+  br i1 %784, label %2094, label %785
+
+785:                                              ; preds = %783
+  %786 = load i64, ptr %656, align 8, !noalias !16
+  %787 = and i64 %786, -2
+  store i64 %787, ptr %656, align 8, !noalias !16
+  %788 = getelementptr inbounds i8, ptr %655, i64 16
+  %789 = load i64, ptr %788, align 8, !noalias !16
+  %790 = or i64 %789, 1
+  store i64 %790, ptr %788, align 8, !noalias !16
+  %791 = getelementptr inbounds i8, ptr %655, i64 24
+  %792 = load i64, ptr %791, align 8, !noalias !16
+  %793 = and i64 %792, -2
+  store i64 %793, ptr %791, align 8, !noalias !16
+  br label %794
+
+794:                                              ; preds = %785, %651
+  %795 = phi double [ 0.000000e+00, %651 ], [ %766, %785 ]
+  %796 = load ptr, ptr %192, align 8, !noalias !16
+  %797 = load ptr, ptr %229, align 8, !noalias !16
+  %798 = load double, ptr %797, align 8, !noalias !16
+  %799 = fsub double %644, %798
+  %800 = tail call double @llvm.fabs.f64(double %799)
+  %801 = tail call double @llvm.fabs.f64(double %643)
+  %802 = fmul double %801, 0x3CB0000000000000
+  %803 = fcmp ogt double %800, %802
+  %804 = getelementptr inbounds i8, ptr %796, i64 24
+  %805 = load i64, ptr %804, align 8, !noalias !16
+  %806 = trunc i64 %805 to i1
+  %807 = xor i1 %806, true
+  %808 = or i1 %803, %807
+  %809 = zext i1 %808 to i64
+  br i1 %808, label %810, label %870
+
+810:                                              ; preds = %794
+  store double %644, ptr %797, align 8, !noalias !16
+  %811 = load i64, ptr %230, align 8, !noalias !16
+  %812 = load ptr, ptr %231, align 8, !noalias !16
+  %813 = load ptr, ptr %232, align 8, !noalias !16
+  %814 = icmp sgt i64 %811, 0
+  br i1 %814, label %815, label %845
+
+815:                                              ; preds = %810
+  %816 = fdiv double 0x400D1A48D83E731D, %644
+  %817 = fdiv double 0x400572DB93E0C672, %644
+  %818 = fdiv double 0xC0086747F2C3FCB6, %644
+  br label %819
+
+819:                                              ; preds = %815, %822
+  %820 = phi i64 [ 0, %815 ], [ %823, %822 ]
+  %821 = mul nuw nsw i64 %820, %811
+  br label %825
+
+822:                                              ; preds = %825
+  %823 = add nuw nsw i64 %820, 1
+  %824 = icmp eq i64 %823, %811
+  br i1 %824, label %845, label %819, !llvm.loop !23
+
+825:                                              ; preds = %819, %825
+  %826 = phi i64 [ 0, %819 ], [ %843, %825 ]
+  %827 = load ptr, ptr %233, align 8, !noalias !16
+  %828 = add nuw nsw i64 %826, %821
+  %829 = getelementptr inbounds double, ptr %827, i64 %828
+  %830 = load double, ptr %829, align 8, !noalias !16
+  %831 = fneg double %830
+  %832 = icmp eq i64 %820, %826
+  %833 = fsub double %816, %830
+  %834 = select i1 %832, double %833, double %831
+  %835 = fsub double %817, %830
+  %836 = select i1 %832, double %835, double %831
+  %837 = getelementptr inbounds double, ptr %812, i64 %828
+  store double %834, ptr %837, align 8, !noalias !16
+  %838 = select i1 %832, double %818, double 0.000000e+00
+  %839 = shl nuw nsw i64 %828, 1
+  %840 = getelementptr inbounds double, ptr %813, i64 %839
+  store double %836, ptr %840, align 8, !noalias !16
+  %841 = or disjoint i64 %839, 1
+  %842 = getelementptr inbounds double, ptr %813, i64 %841
+  store double %838, ptr %842, align 8, !noalias !16
+  %843 = add nuw nsw i64 %826, 1
+  %844 = icmp eq i64 %843, %811
+  br i1 %844, label %822, label %825, !llvm.loop !24
+
+845:                                              ; preds = %822, %810
+  %846 = load ptr, ptr %234, align 8, !noalias !16
+  %847 = tail call fastcc i64 @real_factorise(ptr noundef %812, i64 noundef %811, ptr noundef %846) #11, !noalias !16
+  %848 = load ptr, ptr %235, align 8, !noalias !16
+  %849 = tail call fastcc i64 @pair_factorise(ptr noundef %813, i64 noundef %811, ptr noundef %848) #11, !noalias !16
+  %850 = or i64 %849, %847
+  %851 = and i64 %850, %809
+  %852 = load i64, ptr %804, align 8, !noalias !16
+  %853 = or i64 %852, %809
+  %854 = xor i64 %851, -1
+  %855 = xor i64 %851, %853
+  store i64 %855, ptr %804, align 8, !noalias !16
+  %856 = icmp eq i64 %851, 0
+  %857 = select i1 %856, double 2.000000e+00, double 4.000000e+00
+  %858 = fmul double %644, 5.000000e-01
+  %859 = select i1 %856, double %568, double %858
+  %860 = load ptr, ptr %192, align 8, !noalias !16
+  %861 = getelementptr inbounds i8, ptr %860, i64 8
+  %862 = load i64, ptr %861, align 8, !noalias !16
+  %863 = and i64 %862, %854
+  %864 = getelementptr inbounds i8, ptr %860, i64 16
+  %865 = load i64, ptr %864, align 8, !noalias !16
+  %866 = xor i64 %865, -1
+  %867 = and i64 %851, %866
+  %868 = or disjoint i64 %867, %863
+  store i64 %868, ptr %861, align 8, !noalias !16
+  %869 = and i64 %854, 1
+  br label %870
+
+870:                                              ; preds = %794, %845
+  %871 = phi double [ %568, %794 ], [ %859, %845 ]
+  %872 = phi double [ 2.000000e+00, %794 ], [ %857, %845 ]
+  %873 = phi i64 [ 1, %794 ], [ %869, %845 ]
+  %874 = icmp eq i64 %873, 0
+  br i1 %874, label %2094, label %875
+
+875:                                              ; preds = %870
+  %876 = load ptr, ptr %229, align 8, !noalias !16
+  %877 = getelementptr inbounds i8, ptr %876, i64 8
+  %878 = load double, ptr %877, align 8, !noalias !16
+  %879 = load ptr, ptr %190, align 8, !noalias !16
+  %880 = getelementptr inbounds i8, ptr %879, i64 8
+  %881 = load i64, ptr %880, align 8, !noalias !16
+  %882 = load ptr, ptr %236, align 8, !noalias !16
+  %883 = load ptr, ptr %191, align 8, !noalias !16
+  %884 = load ptr, ptr %237, align 8, !noalias !16
+  %885 = load ptr, ptr %238, align 8, !noalias !16
+  %886 = fcmp ule double %878, 0.000000e+00
+  %887 = icmp sgt i64 %881, 0
+  %888 = shl i64 %881, 4
+  %889 = getelementptr i8, ptr %882, i64 %888
+  %890 = mul i64 %881, 24
+  %891 = getelementptr i8, ptr %882, i64 %890
+  %892 = getelementptr double, ptr %882, i64 %881
+  br label %898
+
+893:                                              ; preds = %909
+  %894 = icmp sgt i64 %881, 0
+  %895 = getelementptr double, ptr %884, i64 %881
+  %896 = shl i64 %881, 4
+  %897 = getelementptr i8, ptr %884, i64 %896
+  br label %935
+
+898:                                              ; preds = %875, %909
+  %899 = phi i64 [ 0, %875 ], [ %910, %909 ]
+  %900 = getelementptr inbounds [3 x double], ptr @NODES, i64 0, i64 %899
+  %901 = load double, ptr %900, align 8, !noalias !16
+  %902 = fmul double %644, %901
+  %903 = fdiv double %902, %878
+  %904 = fadd double %903, 1.000000e+00
+  br i1 %887, label %905, label %909
+
+905:                                              ; preds = %898
+  %906 = fsub double 1.000000e+00, %904
+  %907 = mul nuw nsw i64 %881, %899
+  %908 = getelementptr double, ptr %884, i64 %907
+  br label %912
+
+909:                                              ; preds = %912, %898
+  %910 = add nuw nsw i64 %899, 1
+  %911 = icmp eq i64 %910, 3
+  br i1 %911, label %893, label %898, !llvm.loop !25
+
+912:                                              ; preds = %905, %912
+  %913 = phi i64 [ 0, %905 ], [ %933, %912 ]
+  %914 = getelementptr double, ptr %889, i64 %913
+  %915 = load double, ptr %914, align 8, !noalias !16
+  %916 = getelementptr double, ptr %891, i64 %913
+  %917 = load double, ptr %916, align 8, !noalias !16
+  %918 = fmul double %904, %917
+  %919 = fadd double %915, %918
+  %920 = fmul double %906, %919
+  %921 = getelementptr inbounds double, ptr %882, i64 %913
+  %922 = load double, ptr %921, align 8, !noalias !16
+  %923 = getelementptr double, ptr %892, i64 %913
+  %924 = load double, ptr %923, align 8, !noalias !16
+  %925 = fadd double %924, %920
+  %926 = fmul double %904, %925
+  %927 = fadd double %922, %926
+  %928 = getelementptr inbounds double, ptr %883, i64 %913
+  %929 = load double, ptr %928, align 8, !noalias !16
+  %930 = fsub double %927, %929
+  %931 = select i1 %886, double 0.000000e+00, double %930
+  %932 = getelementptr double, ptr %908, i64 %913
+  store double %931, ptr %932, align 8, !noalias !16
+  %933 = add nuw nsw i64 %913, 1
+  %934 = icmp eq i64 %933, %881
+  br i1 %934, label %909, label %912, !llvm.loop !26
+
+935:                                              ; preds = %893, %946
+  %936 = phi i64 [ 0, %893 ], [ %947, %946 ]
+  br i1 %894, label %937, label %946
+
+937:                                              ; preds = %935
+  %938 = mul nuw nsw i64 %881, %936
+  %939 = getelementptr inbounds [3 x [3 x double]], ptr @TO_WAVES, i64 0, i64 %936
+  %940 = load double, ptr %939, align 8, !noalias !16
+  %941 = getelementptr inbounds i8, ptr %939, i64 8
+  %942 = load double, ptr %941, align 8, !noalias !16
+  %943 = getelementptr inbounds i8, ptr %939, i64 16
+  %944 = load double, ptr %943, align 8, !noalias !16
+  %945 = getelementptr double, ptr %885, i64 %938
+  br label %949
+
+946:                                              ; preds = %949, %935
+  %947 = add nuw nsw i64 %936, 1
+  %948 = icmp eq i64 %947, 3
+  br i1 %948, label %965, label %935, !llvm.loop !27
+
+949:                                              ; preds = %937, %949
+  %950 = phi i64 [ 0, %937 ], [ %963, %949 ]
+  %951 = getelementptr inbounds double, ptr %884, i64 %950
+  %952 = load double, ptr %951, align 8, !noalias !16
+  %953 = fmul double %940, %952
+  %954 = getelementptr double, ptr %895, i64 %950
+  %955 = load double, ptr %954, align 8, !noalias !16
+  %956 = fmul double %942, %955
+  %957 = fadd double %953, %956
+  %958 = getelementptr double, ptr %897, i64 %950
+  %959 = load double, ptr %958, align 8, !noalias !16
+  %960 = fmul double %944, %959
+  %961 = fadd double %957, %960
+  %962 = getelementptr double, ptr %945, i64 %950
+  store double %961, ptr %962, align 8, !noalias !16
+  %963 = add nuw nsw i64 %950, 1
+  %964 = icmp eq i64 %963, %881
+  br i1 %964, label %946, label %949, !llvm.loop !28
+
+965:                                              ; preds = %946
+  %966 = load ptr, ptr %192, align 8, !noalias !29
+  %967 = getelementptr inbounds i8, ptr %966, i64 40
+  %968 = load i64, ptr %967, align 8, !noalias !29
+  %969 = icmp sgt i64 %968, 0
+  %970 = select i1 %969, i64 10, i64 6
+  %971 = fdiv double 0x400572DB93E0C672, %644
+  %972 = fdiv double 0xC0086747F2C3FCB6, %644
+  %973 = fdiv double 0x400D1A48D83E731D, %644
+  %974 = fneg double %972
+  br label %978
+
+975:                                              ; preds = %1441
+  %976 = add nuw nsw i64 %982, 1
+  %977 = icmp eq i64 %976, %970
+  br i1 %977, label %1456, label %978, !llvm.loop !32
+
+978:                                              ; preds = %965, %975
+  %979 = phi double [ -1.000000e+00, %965 ], [ %1454, %975 ]
+  %980 = phi i64 [ %873, %965 ], [ %1453, %975 ]
+  %981 = phi i64 [ 0, %965 ], [ %1452, %975 ]
+  %982 = phi i64 [ 0, %965 ], [ %976, %975 ]
+  %983 = phi i64 [ 0, %965 ], [ %1450, %975 ]
+  %984 = phi i64 [ 0, %965 ], [ %1072, %975 ]
+  %985 = phi i64 [ 0, %965 ], [ %1071, %975 ]
+  %986 = phi double [ 0.000000e+00, %965 ], [ %1449, %975 ]
+  %987 = phi double [ 0.000000e+00, %965 ], [ %1448, %975 ]
+  %988 = phi double [ 0.000000e+00, %965 ], [ %1070, %975 ]
+  %989 = phi i64 [ %569, %965 ], [ %1447, %975 ]
+  %990 = phi i64 [ %570, %965 ], [ %1446, %975 ]
+  %991 = phi i64 [ %571, %965 ], [ %1445, %975 ]
+  %992 = phi double [ %572, %965 ], [ %1444, %975 ]
+  %993 = phi double [ %573, %965 ], [ %1443, %975 ]
+  %994 = phi double [ %574, %965 ], [ %1442, %975 ]
+  %995 = icmp ugt i64 %982, 5
+  %996 = select i1 %995, i64 %983, i64 -1
+  %997 = and i64 %980, %996
+  %998 = load ptr, ptr %190, align 8, !noalias !29
+  %999 = getelementptr inbounds i8, ptr %998, i64 8
+  %1000 = load i64, ptr %999, align 8, !noalias !29
+  %1001 = load ptr, ptr %237, align 8, !noalias !29
+  %1002 = icmp eq i64 %997, 0
+  br i1 %1002, label %1069, label %1003
+
+1003:                                             ; preds = %978
+  %1004 = icmp sgt i64 %1000, 0
+  br label %1005
+
+1005:                                             ; preds = %1003, %1037
+  %1006 = phi i64 [ %997, %1003 ], [ %1052, %1037 ]
+  %1007 = phi i64 [ 0, %1003 ], [ %1053, %1037 ]
+  %1008 = phi i64 [ %984, %1003 ], [ %1050, %1037 ]
+  %1009 = phi i64 [ %985, %1003 ], [ %1048, %1037 ]
+  %1010 = phi double [ %988, %1003 ], [ %1018, %1037 ]
+  br i1 %1004, label %1011, label %1014
+
+1011:                                             ; preds = %1005
+  %1012 = mul nuw nsw i64 %1007, %1000
+  %1013 = getelementptr double, ptr %1001, i64 %1012
   br label %1057
 
-1057:                                             ; preds = %1035, %981
-  %1058 = phi double [ %1056, %1035 ], [ %984, %981 ]
-  %1059 = add nuw nsw i64 %983, 1
-  %1060 = icmp eq i64 %1059, %973
-  br i1 %1060, label %1061, label %981, !llvm.loop !34
+1014:                                             ; preds = %1057, %1005
+  %1015 = and i64 %1006, 4294967295
+  %1016 = icmp eq i64 %1015, 0
+  %1017 = select i1 %1016, double 0.000000e+00, double 1.000000e+00
+  %1018 = fadd double %1010, %1017
+  %1019 = load ptr, ptr %240, align 8, !noalias !29
+  %1020 = mul nsw i64 %1007, %1000
+  %1021 = getelementptr inbounds double, ptr %1019, i64 %1020
+  %1022 = getelementptr inbounds [3 x double], ptr @NODES, i64 0, i64 %1007
+  %1023 = load double, ptr %1022, align 8, !noalias !29
+  %1024 = fmul double %644, %1023
+  %1025 = fadd double %567, %1024
+  %1026 = load ptr, ptr %241, align 8, !noalias !29
+  %1027 = load ptr, ptr %242, align 8, !noalias !29
+  store double %1025, ptr %1027, align 8, !noalias !29
+  %1028 = load ptr, ptr %190, align 8, !noalias !29
+  %1029 = getelementptr inbounds i8, ptr %1028, i64 40
+  %1030 = load i64, ptr %1029, align 8, !noalias !29
+  %1031 = icmp eq i64 %1030, 0
+  br i1 %1031, label %1033, label %1032
 
-1061:                                             ; preds = %1057, %970
-  %1062 = phi double [ 0.000000e+00, %970 ], [ %1058, %1057 ]
-  %1063 = phi i32 [ 1, %970 ], [ %997, %1057 ]
-  %1064 = zext nneg i32 %1063 to i64
-  %1065 = xor i64 %1064, 4294967295
-  %1066 = and i64 %964, %1065
-  %1067 = icmp eq i64 %1066, 0
-  %1068 = select i1 %1067, double %878, double 0x7FF0000000000000
-  %1069 = load ptr, ptr %81, align 8, !noalias !28
-  %1070 = getelementptr inbounds i8, ptr %1069, i64 24
-  %1071 = load i64, ptr %1070, align 8, !noalias !28
-  %1072 = load i64, ptr %142, align 8, !noalias !28
-  %1073 = load ptr, ptr %83, align 8, !noalias !28
-  %1074 = getelementptr inbounds i8, ptr %1073, i64 40
-  %1075 = load i64, ptr %1074, align 8, !noalias !28
-  %1076 = load ptr, ptr %143, align 8, !noalias !28
-  %1077 = load ptr, ptr %144, align 8, !noalias !28
-  %1078 = load ptr, ptr %145, align 8, !noalias !28
-  %1079 = load ptr, ptr %141, align 8, !noalias !28
-  tail call fastcc void @real_solve(ptr noundef %1078, i64 noundef %1072, ptr noundef %1079, ptr noundef %1076) #10, !noalias !28
-  %1080 = load ptr, ptr %146, align 8, !noalias !28
-  %1081 = load ptr, ptr %147, align 8, !noalias !28
-  tail call fastcc void @pair_solve(ptr noundef %1080, i64 noundef %1072, ptr noundef %1081, ptr noundef %1077) #10, !noalias !28
-  %1082 = icmp sgt i64 %1075, 0
-  br i1 %1082, label %1083, label %1091
+1032:                                             ; preds = %1014
+  tail call fastcc void @settle(ptr noundef nonnull %190) #11, !noalias !29
+  br label %1033
 
-1083:                                             ; preds = %1061
-  %1084 = load ptr, ptr %145, align 8, !noalias !28
-  %1085 = load ptr, ptr %141, align 8, !noalias !28
-  %1086 = getelementptr inbounds double, ptr %1076, i64 %1072
-  tail call fastcc void @real_solve_columns(ptr noundef %1084, i64 noundef %1072, ptr noundef %1085, ptr noundef %1086, i64 noundef %1075) #10, !noalias !28
-  %1087 = load ptr, ptr %146, align 8, !noalias !28
-  %1088 = load ptr, ptr %147, align 8, !noalias !28
-  %1089 = shl nsw i64 %1072, 4
-  %1090 = getelementptr inbounds i8, ptr %1077, i64 %1089
-  tail call fastcc void @pair_solve_columns(ptr noundef %1087, i64 noundef %1072, ptr noundef %1088, ptr noundef %1090, i64 noundef %1075) #10, !noalias !28
-  br label %1091
+1033:                                             ; preds = %1032, %1014
+  %1034 = load i64, ptr %243, align 8, !noalias !29
+  %1035 = icmp sgt i64 %1034, 0
+  br i1 %1035, label %1036, label %1037
 
-1091:                                             ; preds = %1083, %1061
-  %1092 = icmp sgt i64 %1071, 0
-  br i1 %1092, label %1093, label %1128
+1036:                                             ; preds = %1033
+  tail call fastcc void @sample(ptr noundef nonnull %190) #11, !noalias !29
+  br label %1037
 
-1093:                                             ; preds = %1091
-  %1094 = load ptr, ptr %82, align 8, !noalias !28
-  %1095 = load ptr, ptr %148, align 8, !noalias !28
-  %1096 = load ptr, ptr %88, align 8, !noalias !28
-  br label %1097
+1037:                                             ; preds = %1036, %1033
+  %1038 = load ptr, ptr %190, align 8, !noalias !29
+  %1039 = load i64, ptr %1038, align 8, !noalias !29
+  %1040 = load ptr, ptr %242, align 8, !noalias !29
+  %1041 = load ptr, ptr %244, align 8, !noalias !29
+  %1042 = load ptr, ptr %245, align 8, !noalias !29
+  %1043 = inttoptr i64 %1039 to ptr
+  %1044 = load ptr, ptr %1043, align 8, !noalias !29
+  %1045 = tail call i32 %1044(ptr noundef %1040, ptr noundef %1026, ptr noundef %1041, ptr noundef %1042, ptr noundef %1021) #10, !noalias !29
+  %1046 = sext i32 %1045 to i64
+  %1047 = icmp slt i32 %1045, 0
+  %1048 = select i1 %1047, i64 %1046, i64 %1009
+  %1049 = and i64 %1006, %1046
+  %1050 = or i64 %1049, %1008
+  %1051 = xor i64 %1046, -1
+  %1052 = and i64 %1006, %1051
+  %1053 = add nuw nsw i64 %1007, 1
+  %1054 = icmp ult i64 %1007, 2
+  %1055 = icmp ne i64 %1052, 0
+  %1056 = select i1 %1054, i1 %1055, i1 false
+  br i1 %1056, label %1005, label %1069, !llvm.loop !33
 
-1097:                                             ; preds = %1093, %1097
-  %1098 = phi double [ 0.000000e+00, %1093 ], [ %1125, %1097 ]
-  %1099 = phi i64 [ 0, %1093 ], [ %1126, %1097 ]
-  %1100 = getelementptr inbounds double, ptr %1094, i64 %1099
-  %1101 = load double, ptr %1100, align 8, !noalias !28
-  %1102 = getelementptr inbounds double, ptr %1095, i64 %1099
-  %1103 = load double, ptr %1102, align 8, !noalias !28
-  %1104 = getelementptr inbounds double, ptr %1096, i64 %1099
-  %1105 = load double, ptr %1104, align 8, !noalias !28
-  %1106 = tail call double @llvm.fabs.f64(double %1101)
-  %1107 = fmul double %1106, %1105
-  %1108 = fadd double %1103, %1107
-  %1109 = getelementptr inbounds double, ptr %1076, i64 %1099
-  %1110 = load double, ptr %1109, align 8, !noalias !28
-  %1111 = fdiv double %1110, %1108
-  %1112 = shl nuw nsw i64 %1099, 1
-  %1113 = getelementptr inbounds double, ptr %1077, i64 %1112
-  %1114 = load double, ptr %1113, align 8, !noalias !28
-  %1115 = or disjoint i64 %1112, 1
-  %1116 = getelementptr inbounds double, ptr %1077, i64 %1115
-  %1117 = load double, ptr %1116, align 8, !noalias !28
-  %1118 = fdiv double %1114, %1108
-  %1119 = fdiv double %1117, %1108
-  %1120 = fmul double %1111, %1111
-  %1121 = fmul double %1118, %1118
-  %1122 = fadd double %1120, %1121
-  %1123 = fmul double %1119, %1119
-  %1124 = fadd double %1122, %1123
-  %1125 = fadd double %1098, %1124
-  %1126 = add nuw nsw i64 %1099, 1
-  %1127 = icmp eq i64 %1126, %1071
-  br i1 %1127, label %1128, label %1097, !llvm.loop !35
+1057:                                             ; preds = %1011, %1057
+  %1058 = phi i64 [ 0, %1011 ], [ %1067, %1057 ]
+  %1059 = load ptr, ptr %239, align 8, !noalias !29
+  %1060 = load ptr, ptr %191, align 8, !noalias !29
+  %1061 = getelementptr inbounds double, ptr %1060, i64 %1058
+  %1062 = load double, ptr %1061, align 8, !noalias !29
+  %1063 = getelementptr double, ptr %1013, i64 %1058
+  %1064 = load double, ptr %1063, align 8, !noalias !29
+  %1065 = fadd double %1062, %1064
+  %1066 = getelementptr inbounds double, ptr %1059, i64 %1058
+  store double %1065, ptr %1066, align 8, !noalias !29
+  %1067 = add nuw nsw i64 %1058, 1
+  %1068 = icmp eq i64 %1067, %1000
+  br i1 %1068, label %1014, label %1057, !llvm.loop !34
 
-1128:                                             ; preds = %1097, %1091
-  %1129 = phi double [ 0.000000e+00, %1091 ], [ %1125, %1097 ]
-  %1130 = mul nsw i64 %1071, 3
-  %1131 = sitofp i64 %1130 to double
-  %1132 = fdiv double %1129, %1131
-  %1133 = tail call double @llvm.sqrt.f64(double %1132)
-  %1134 = fcmp oeq double %1133, 0.000000e+00
-  %1135 = fcmp ogt double %1062, 0.000000e+00
-  %1136 = and i1 %1135, %1134
-  %1137 = zext i1 %1136 to i64
-  %1138 = xor i64 %1137, -1
-  %1139 = and i64 %1064, %1138
-  %1140 = and i64 %1139, %964
-  %1141 = xor i64 %874, -1
-  %1142 = and i64 %1140, %1141
-  %1143 = trunc nuw nsw i64 %1142 to i32
-  %1144 = fcmp ogt double %870, 0.000000e+00
-  %1145 = and i32 %1143, 1
-  %1146 = select i1 %1144, i32 %1145, i32 0
-  %1147 = fdiv double %1133, %870
-  %1148 = icmp eq i32 %1146, 0
-  %1149 = select i1 %1148, double %1068, double %1147
-  %1150 = fsub double 1.000000e+00, %1149
-  %1151 = fdiv double %1133, %1150
-  %1152 = icmp ult i64 %873, 5
-  br i1 %1152, label %1245, label %1153
+1069:                                             ; preds = %1037, %978
+  %1070 = phi double [ %988, %978 ], [ %1018, %1037 ]
+  %1071 = phi i64 [ %985, %978 ], [ %1048, %1037 ]
+  %1072 = phi i64 [ %984, %978 ], [ %1050, %1037 ]
+  %1073 = phi i64 [ %997, %978 ], [ %1052, %1037 ]
+  %1074 = icmp eq i64 %1073, 0
+  br i1 %1074, label %1075, label %1079
 
-1153:                                             ; preds = %1245, %1128
-  %1154 = phi double [ %1151, %1128 ], [ %1248, %1245 ]
-  %1155 = fcmp oge double %1149, 1.000000e+00
-  %1156 = fcmp ogt double %1154, %433
-  %1157 = or i1 %1155, %1156
-  %1158 = xor i32 %1146, -1
-  %1159 = zext i32 %1158 to i64
-  %1160 = select i1 %1157, i64 %1159, i64 2147483647
-  %1161 = and i64 %1160, %1140
-  %1162 = xor i64 %1161, -1
-  %1163 = and i64 %888, %1162
-  %1164 = or i64 %1163, %872
-  %1165 = load ptr, ptr %81, align 8, !noalias !28
-  %1166 = getelementptr inbounds i8, ptr %1165, i64 8
-  %1167 = load i64, ptr %1166, align 8, !noalias !28
-  %1168 = load ptr, ptr %128, align 8, !noalias !28
-  %1169 = load ptr, ptr %129, align 8, !noalias !28
-  %1170 = icmp sgt i64 %1167, 0
-  br i1 %1170, label %1171, label %1231
+1075:                                             ; preds = %1069
+  %1076 = or i64 %997, %981
+  %1077 = xor i64 %1076, -1
+  %1078 = and i64 %983, %1077
+  br label %1441
 
-1171:                                             ; preds = %1153
-  %1172 = icmp eq i64 %1161, 0
-  %1173 = getelementptr double, ptr %1169, i64 %1167
-  %1174 = shl i64 %1167, 4
-  %1175 = getelementptr i8, ptr %1169, i64 %1174
-  %1176 = icmp eq i64 %1161, 0
-  br label %1177
+1079:                                             ; preds = %1069
+  %1080 = load ptr, ptr %190, align 8, !noalias !29
+  %1081 = getelementptr inbounds i8, ptr %1080, i64 8
+  %1082 = load i64, ptr %1081, align 8, !noalias !29
+  %1083 = getelementptr inbounds i8, ptr %1080, i64 24
+  %1084 = load i64, ptr %1083, align 8, !noalias !29
+  %1085 = load ptr, ptr %246, align 8, !noalias !29
+  %1086 = load ptr, ptr %238, align 8, !noalias !29
+  %1087 = icmp sgt i64 %1082, 0
+  br i1 %1087, label %1088, label %1170
 
-1177:                                             ; preds = %1171, %1206
-  %1178 = phi i64 [ 0, %1171 ], [ %1207, %1206 ]
-  %1179 = load ptr, ptr %144, align 8, !noalias !28
-  %1180 = shl nuw nsw i64 %1178, 1
-  %1181 = getelementptr inbounds double, ptr %1179, i64 %1180
-  %1182 = load double, ptr %1181, align 8, !noalias !28
-  %1183 = or disjoint i64 %1180, 1
-  %1184 = getelementptr inbounds double, ptr %1179, i64 %1183
-  %1185 = load double, ptr %1184, align 8, !noalias !28
-  %1186 = load ptr, ptr %143, align 8, !noalias !28
-  %1187 = getelementptr inbounds double, ptr %1186, i64 %1178
-  %1188 = load double, ptr %1187, align 8, !noalias !28
-  store double %1188, ptr %10, align 16, !noalias !28
-  store double %1182, ptr %149, align 8, !noalias !28
-  store double %1185, ptr %150, align 16, !noalias !28
-  %1189 = getelementptr double, ptr %1169, i64 %1178
-  br label %1195
+1088:                                             ; preds = %1079
+  %1089 = shl nuw nsw i64 %1082, 1
+  br label %1090
 
-1190:                                             ; preds = %1195
-  %1191 = getelementptr inbounds double, ptr %1169, i64 %1178
-  %1192 = getelementptr double, ptr %1173, i64 %1178
-  %1193 = getelementptr double, ptr %1175, i64 %1178
-  %1194 = getelementptr double, ptr %1168, i64 %1178
-  br label %1209
+1090:                                             ; preds = %1088, %1166
+  %1091 = phi i32 [ 1, %1088 ], [ %1106, %1166 ]
+  %1092 = phi i64 [ 0, %1088 ], [ %1168, %1166 ]
+  %1093 = phi double [ 0.000000e+00, %1088 ], [ %1167, %1166 ]
+  %1094 = getelementptr inbounds double, ptr %1085, i64 %1092
+  %1095 = load double, ptr %1094, align 8, !noalias !29
+  %1096 = add nuw nsw i64 %1092, %1082
+  %1097 = getelementptr inbounds double, ptr %1085, i64 %1096
+  %1098 = load double, ptr %1097, align 8, !noalias !29
+  %1099 = fadd double %1095, %1098
+  %1100 = add nuw nsw i64 %1092, %1089
+  %1101 = getelementptr inbounds double, ptr %1085, i64 %1100
+  %1102 = load double, ptr %1101, align 8, !noalias !29
+  %1103 = fadd double %1099, %1102
+  %1104 = tail call double @llvm.fabs.f64(double %1103)
+  %1105 = fcmp one double %1104, 0x7FF0000000000000
+  %1106 = select i1 %1105, i32 %1091, i32 0
+  %1107 = getelementptr inbounds double, ptr %1086, i64 %1096
+  %1108 = load double, ptr %1107, align 8, !noalias !29
+  %1109 = getelementptr inbounds double, ptr %1086, i64 %1100
+  %1110 = load double, ptr %1109, align 8, !noalias !29
+  %1111 = fmul double %1095, 0xC010B70201A79C46
+  %1112 = fmul double %1098, 0x3FD4F8C15DA84E86
+  %1113 = fsub double %1111, %1112
+  %1114 = fmul double %1102, 0x3FDE810014C55221
+  %1115 = fadd double %1113, %1114
+  %1116 = fmul double %1095, 0x3FE017885A24A7F2
+  %1117 = fmul double %1098, 0x4004934E6FCAA598
+  %1118 = fsub double %1116, %1117
+  %1119 = fmul double %1102, 0x3FE312C0CF7BDFD1
+  %1120 = fadd double %1118, %1119
+  %1121 = fmul double %1095, 0x4010B70201A79C46
+  %1122 = fmul double %1098, 0x3FD4F8C15DA84E86
+  %1123 = fadd double %1121, %1122
+  %1124 = fmul double %1102, 0x3FE0BF7FF59D56EF
+  %1125 = fadd double %1123, %1124
+  %1126 = getelementptr inbounds double, ptr %1086, i64 %1092
+  %1127 = load double, ptr %1126, align 8, !noalias !29
+  %1128 = fmul double %973, %1127
+  %1129 = fsub double %1125, %1128
+  %1130 = fmul double %1110, %974
+  %1131 = tail call double @llvm.fma.f64(double %971, double %1108, double %1130)
+  %1132 = fmul double %972, %1108
+  %1133 = tail call double @llvm.fma.f64(double %971, double %1110, double %1132)
+  %1134 = fsub double %1115, %1131
+  %1135 = fsub double %1120, %1133
+  %1136 = load ptr, ptr %247, align 8, !noalias !29
+  %1137 = getelementptr inbounds double, ptr %1136, i64 %1092
+  store double %1129, ptr %1137, align 8, !noalias !29
+  %1138 = load ptr, ptr %248, align 8, !noalias !29
+  %1139 = shl nuw nsw i64 %1092, 1
+  %1140 = getelementptr inbounds double, ptr %1138, i64 %1139
+  store double %1134, ptr %1140, align 8, !noalias !29
+  %1141 = or disjoint i64 %1139, 1
+  %1142 = getelementptr inbounds double, ptr %1138, i64 %1141
+  store double %1135, ptr %1142, align 8, !noalias !29
+  %1143 = icmp slt i64 %1092, %1084
+  br i1 %1143, label %1144, label %1166
 
-1195:                                             ; preds = %1177, %1195
-  %1196 = phi i64 [ 0, %1177 ], [ %1204, %1195 ]
-  %1197 = mul nuw nsw i64 %1167, %1196
-  %1198 = getelementptr double, ptr %1189, i64 %1197
-  %1199 = load double, ptr %1198, align 8, !noalias !28
-  %1200 = getelementptr inbounds [3 x double], ptr %10, i64 0, i64 %1196
-  %1201 = load double, ptr %1200, align 8, !noalias !28
-  %1202 = fadd double %1199, %1201
-  %1203 = select i1 %1172, double %1199, double %1202
-  store double %1203, ptr %1198, align 8, !noalias !28
-  %1204 = add nuw nsw i64 %1196, 1
-  %1205 = icmp eq i64 %1204, 3
-  br i1 %1205, label %1190, label %1195, !llvm.loop !36
+1144:                                             ; preds = %1090
+  %1145 = load ptr, ptr %191, align 8, !noalias !29
+  %1146 = getelementptr inbounds double, ptr %1145, i64 %1092
+  %1147 = load double, ptr %1146, align 8, !noalias !29
+  %1148 = tail call double @llvm.fabs.f64(double %1129)
+  %1149 = tail call double @llvm.fabs.f64(double %1134)
+  %1150 = tail call double @llvm.fabs.f64(double %1135)
+  %1151 = fadd double %1150, %1149
+  %1152 = fadd double %1148, %1151
+  %1153 = fmul double %644, %1152
+  %1154 = load ptr, ptr %249, align 8, !noalias !29
+  %1155 = getelementptr inbounds double, ptr %1154, i64 %1092
+  %1156 = load double, ptr %1155, align 8, !noalias !29
+  %1157 = load ptr, ptr %197, align 8, !noalias !29
+  %1158 = getelementptr inbounds double, ptr %1157, i64 %1092
+  %1159 = load double, ptr %1158, align 8, !noalias !29
+  %1160 = tail call double @llvm.fabs.f64(double %1147)
+  %1161 = fmul double %1160, %1159
+  %1162 = fadd double %1156, %1161
+  %1163 = fdiv double %1153, %1162
+  %1164 = fmul double %1163, %1163
+  %1165 = fadd double %1093, %1164
+  br label %1166
 
-1206:                                             ; preds = %1209
-  %1207 = add nuw nsw i64 %1178, 1
-  %1208 = icmp eq i64 %1207, %1167
-  br i1 %1208, label %1231, label %1177, !llvm.loop !37
+1166:                                             ; preds = %1144, %1090
+  %1167 = phi double [ %1165, %1144 ], [ %1093, %1090 ]
+  %1168 = add nuw nsw i64 %1092, 1
+  %1169 = icmp eq i64 %1168, %1082
+  br i1 %1169, label %1170, label %1090, !llvm.loop !35
 
-1209:                                             ; preds = %1190, %1209
-  %1210 = phi i64 [ 0, %1190 ], [ %1229, %1209 ]
-  %1211 = mul nuw nsw i64 %1167, %1210
-  %1212 = getelementptr inbounds [3 x [3 x double]], ptr @FROM_WAVES, i64 0, i64 %1210
-  %1213 = load double, ptr %1212, align 8, !noalias !28
-  %1214 = load double, ptr %1191, align 8, !noalias !28
-  %1215 = fmul double %1213, %1214
-  %1216 = getelementptr inbounds i8, ptr %1212, i64 8
-  %1217 = load double, ptr %1216, align 8, !noalias !28
-  %1218 = load double, ptr %1192, align 8, !noalias !28
-  %1219 = fmul double %1217, %1218
-  %1220 = fadd double %1215, %1219
-  %1221 = getelementptr inbounds i8, ptr %1212, i64 16
-  %1222 = load double, ptr %1221, align 8, !noalias !28
-  %1223 = load double, ptr %1193, align 8, !noalias !28
-  %1224 = fmul double %1222, %1223
-  %1225 = fadd double %1220, %1224
-  %1226 = getelementptr double, ptr %1194, i64 %1211
-  %1227 = load double, ptr %1226, align 8, !noalias !28
-  %1228 = select i1 %1176, double %1227, double %1225
-  store double %1228, ptr %1226, align 8, !noalias !28
-  %1229 = add nuw nsw i64 %1210, 1
-  %1230 = icmp eq i64 %1229, 3
-  br i1 %1230, label %1206, label %1209, !llvm.loop !38
+1170:                                             ; preds = %1166, %1079
+  %1171 = phi double [ 0.000000e+00, %1079 ], [ %1167, %1166 ]
+  %1172 = phi i32 [ 1, %1079 ], [ %1106, %1166 ]
+  %1173 = zext nneg i32 %1172 to i64
+  %1174 = xor i64 %1173, 4294967295
+  %1175 = and i64 %1073, %1174
+  %1176 = icmp eq i64 %1175, 0
+  %1177 = select i1 %1176, double %987, double 0x7FF0000000000000
+  %1178 = load ptr, ptr %190, align 8, !noalias !29
+  %1179 = getelementptr inbounds i8, ptr %1178, i64 24
+  %1180 = load i64, ptr %1179, align 8, !noalias !29
+  %1181 = load i64, ptr %251, align 8, !noalias !29
+  %1182 = load ptr, ptr %192, align 8, !noalias !29
+  %1183 = getelementptr inbounds i8, ptr %1182, i64 40
+  %1184 = load i64, ptr %1183, align 8, !noalias !29
+  %1185 = load ptr, ptr %252, align 8, !noalias !29
+  %1186 = load ptr, ptr %253, align 8, !noalias !29
+  %1187 = load ptr, ptr %254, align 8, !noalias !29
+  %1188 = load ptr, ptr %250, align 8, !noalias !29
+  tail call fastcc void @real_solve(ptr noundef %1187, i64 noundef %1181, ptr noundef %1188, ptr noundef %1185) #11, !noalias !29
+  %1189 = load ptr, ptr %255, align 8, !noalias !29
+  %1190 = load ptr, ptr %256, align 8, !noalias !29
+  tail call fastcc void @pair_solve(ptr noundef %1189, i64 noundef %1181, ptr noundef %1190, ptr noundef %1186) #11, !noalias !29
+  %1191 = icmp sgt i64 %1184, 0
+  br i1 %1191, label %1192, label %1200
 
-1231:                                             ; preds = %1206, %1153
-  %1232 = fdiv double %1149, %1150
-  %1233 = fmul double %1133, %1232
-  %1234 = fcmp olt double %1233, %433
-  %1235 = and i1 %1144, %1234
-  %1236 = or i1 %1134, %1235
-  %1237 = and i64 %1141, 1
-  %1238 = select i1 %1236, i64 %1237, i64 0
-  %1239 = and i64 %1161, %1238
-  %1240 = add nuw nsw i64 %873, 1
-  %1241 = uitofp nneg i64 %1240 to double
-  %1242 = icmp eq i64 %1239, 0
-  %1243 = select i1 %1242, double %877, double %1241
-  %1244 = or i64 %1239, %874
-  br i1 %860, label %1251, label %1325
+1192:                                             ; preds = %1170
+  %1193 = load ptr, ptr %254, align 8, !noalias !29
+  %1194 = load ptr, ptr %250, align 8, !noalias !29
+  %1195 = getelementptr inbounds double, ptr %1185, i64 %1181
+  tail call fastcc void @real_solve_columns(ptr noundef %1193, i64 noundef %1181, ptr noundef %1194, ptr noundef %1195, i64 noundef %1184) #11, !noalias !29
+  %1196 = load ptr, ptr %255, align 8, !noalias !29
+  %1197 = load ptr, ptr %256, align 8, !noalias !29
+  %1198 = shl nsw i64 %1181, 4
+  %1199 = getelementptr inbounds i8, ptr %1186, i64 %1198
+  tail call fastcc void @pair_solve_columns(ptr noundef %1196, i64 noundef %1181, ptr noundef %1197, ptr noundef %1199, i64 noundef %1184) #11, !noalias !29
+  br label %1200
 
-1245:                                             ; preds = %1128, %1245
-  %1246 = phi i64 [ %1249, %1245 ], [ %873, %1128 ]
-  %1247 = phi double [ %1248, %1245 ], [ %1151, %1128 ]
-  %1248 = fmul double %1149, %1247
-  %1249 = add nuw nsw i64 %1246, 1
-  %1250 = icmp ult i64 %1246, 4
-  br i1 %1250, label %1245, label %1153, !llvm.loop !39
+1200:                                             ; preds = %1192, %1170
+  %1201 = icmp sgt i64 %1180, 0
+  br i1 %1201, label %1202, label %1237
 
-1251:                                             ; preds = %1231
-  %1252 = load i64, ptr %142, align 8, !noalias !28
-  %1253 = load ptr, ptr %83, align 8, !noalias !28
-  %1254 = getelementptr inbounds i8, ptr %1253, i64 40
-  %1255 = load i64, ptr %1254, align 8, !noalias !28
-  %1256 = load ptr, ptr %81, align 8, !noalias !28
-  %1257 = getelementptr inbounds i8, ptr %1256, i64 8
-  %1258 = load i64, ptr %1257, align 8, !noalias !28
-  %1259 = load ptr, ptr %129, align 8, !noalias !28
-  %1260 = icmp sgt i64 %1255, 0
-  br i1 %1260, label %1261, label %1320
+1202:                                             ; preds = %1200
+  %1203 = load ptr, ptr %191, align 8, !noalias !29
+  %1204 = load ptr, ptr %257, align 8, !noalias !29
+  %1205 = load ptr, ptr %197, align 8, !noalias !29
+  br label %1206
 
-1261:                                             ; preds = %1251
-  %1262 = icmp sgt i64 %1252, 0
-  br label %1263
+1206:                                             ; preds = %1202, %1206
+  %1207 = phi double [ 0.000000e+00, %1202 ], [ %1234, %1206 ]
+  %1208 = phi i64 [ 0, %1202 ], [ %1235, %1206 ]
+  %1209 = getelementptr inbounds double, ptr %1203, i64 %1208
+  %1210 = load double, ptr %1209, align 8, !noalias !29
+  %1211 = getelementptr inbounds double, ptr %1204, i64 %1208
+  %1212 = load double, ptr %1211, align 8, !noalias !29
+  %1213 = getelementptr inbounds double, ptr %1205, i64 %1208
+  %1214 = load double, ptr %1213, align 8, !noalias !29
+  %1215 = tail call double @llvm.fabs.f64(double %1210)
+  %1216 = fmul double %1215, %1214
+  %1217 = fadd double %1212, %1216
+  %1218 = getelementptr inbounds double, ptr %1185, i64 %1208
+  %1219 = load double, ptr %1218, align 8, !noalias !29
+  %1220 = fdiv double %1219, %1217
+  %1221 = shl nuw nsw i64 %1208, 1
+  %1222 = getelementptr inbounds double, ptr %1186, i64 %1221
+  %1223 = load double, ptr %1222, align 8, !noalias !29
+  %1224 = or disjoint i64 %1221, 1
+  %1225 = getelementptr inbounds double, ptr %1186, i64 %1224
+  %1226 = load double, ptr %1225, align 8, !noalias !29
+  %1227 = fdiv double %1223, %1217
+  %1228 = fdiv double %1226, %1217
+  %1229 = fmul double %1220, %1220
+  %1230 = fmul double %1227, %1227
+  %1231 = fadd double %1229, %1230
+  %1232 = fmul double %1228, %1228
+  %1233 = fadd double %1231, %1232
+  %1234 = fadd double %1207, %1233
+  %1235 = add nuw nsw i64 %1208, 1
+  %1236 = icmp eq i64 %1235, %1180
+  br i1 %1236, label %1237, label %1206, !llvm.loop !36
 
-1263:                                             ; preds = %1261, %1271
-  %1264 = phi double [ 0.000000e+00, %1261 ], [ %1279, %1271 ]
-  %1265 = phi i64 [ 0, %1261 ], [ %1280, %1271 ]
-  br i1 %1262, label %1266, label %1271
+1237:                                             ; preds = %1206, %1200
+  %1238 = phi double [ 0.000000e+00, %1200 ], [ %1234, %1206 ]
+  %1239 = mul nsw i64 %1180, 3
+  %1240 = sitofp i64 %1239 to double
+  %1241 = fdiv double %1238, %1240
+  %1242 = tail call double @llvm.sqrt.f64(double %1241)
+  %1243 = fcmp oeq double %1242, 0.000000e+00
+  %1244 = fcmp ogt double %1171, 0.000000e+00
+  %1245 = and i1 %1244, %1243
+  %1246 = zext i1 %1245 to i64
+  %1247 = xor i64 %1246, -1
+  %1248 = and i64 %1173, %1247
+  %1249 = and i64 %1248, %1073
+  %1250 = xor i64 %983, -1
+  %1251 = and i64 %1249, %1250
+  %1252 = trunc nuw nsw i64 %1251 to i32
+  %1253 = fcmp ogt double %979, 0.000000e+00
+  %1254 = and i32 %1252, 1
+  %1255 = select i1 %1253, i32 %1254, i32 0
+  %1256 = fdiv double %1242, %979
+  %1257 = icmp eq i32 %1255, 0
+  %1258 = select i1 %1257, double %1177, double %1256
+  %1259 = fsub double 1.000000e+00, %1258
+  %1260 = fdiv double %1242, %1259
+  %1261 = icmp ult i64 %982, 5
+  br i1 %1261, label %1354, label %1262
 
-1266:                                             ; preds = %1263
-  %1267 = add nuw i64 %1265, %1252
-  %1268 = load ptr, ptr %143, align 8, !noalias !28
-  %1269 = load ptr, ptr %82, align 8, !noalias !28
-  %1270 = load ptr, ptr %144, align 8, !noalias !28
-  br label %1282
+1262:                                             ; preds = %1354, %1237
+  %1263 = phi double [ %1260, %1237 ], [ %1357, %1354 ]
+  %1264 = fcmp oge double %1258, 1.000000e+00
+  %1265 = fcmp ogt double %1263, %542
+  %1266 = or i1 %1264, %1265
+  %1267 = xor i32 %1255, -1
+  %1268 = zext i32 %1267 to i64
+  %1269 = select i1 %1266, i64 %1268, i64 2147483647
+  %1270 = and i64 %1269, %1249
+  %1271 = xor i64 %1270, -1
+  %1272 = and i64 %997, %1271
+  %1273 = or i64 %1272, %981
+  %1274 = load ptr, ptr %190, align 8, !noalias !29
+  %1275 = getelementptr inbounds i8, ptr %1274, i64 8
+  %1276 = load i64, ptr %1275, align 8, !noalias !29
+  %1277 = load ptr, ptr %237, align 8, !noalias !29
+  %1278 = load ptr, ptr %238, align 8, !noalias !29
+  %1279 = icmp sgt i64 %1276, 0
+  br i1 %1279, label %1280, label %1340
 
-1271:                                             ; preds = %1306, %1263
-  %1272 = phi double [ 0.000000e+00, %1263 ], [ %1317, %1306 ]
-  %1273 = phi double [ 0.000000e+00, %1263 ], [ %1307, %1306 ]
-  %1274 = fcmp ule double %1272, 0.000000e+00
-  %1275 = fdiv double %1273, %1272
-  %1276 = select i1 %1274, double 1.000000e+00, double %1275
-  %1277 = fmul double %1264, %1272
-  %1278 = fcmp ule double %1273, %1277
-  %1279 = select i1 %1278, double %1264, double %1276
-  %1280 = add nuw nsw i64 %1265, 1
-  %1281 = icmp eq i64 %1280, %1255
-  br i1 %1281, label %1320, label %1263, !llvm.loop !40
+1280:                                             ; preds = %1262
+  %1281 = icmp eq i64 %1270, 0
+  %1282 = getelementptr double, ptr %1278, i64 %1276
+  %1283 = shl i64 %1276, 4
+  %1284 = getelementptr i8, ptr %1278, i64 %1283
+  %1285 = icmp eq i64 %1270, 0
+  br label %1286
 
-1282:                                             ; preds = %1266, %1306
-  %1283 = phi double [ 0.000000e+00, %1266 ], [ %1307, %1306 ]
-  %1284 = phi double [ 0.000000e+00, %1266 ], [ %1317, %1306 ]
-  %1285 = phi i64 [ 0, %1266 ], [ %1308, %1306 ]
-  %1286 = mul nuw nsw i64 %1285, %1255
-  %1287 = add i64 %1267, %1286
-  %1288 = getelementptr inbounds double, ptr %1268, i64 %1287
-  %1289 = load double, ptr %1288, align 8, !noalias !28
-  %1290 = getelementptr inbounds double, ptr %1269, i64 %1287
-  %1291 = load double, ptr %1290, align 8, !noalias !28
-  %1292 = shl nsw i64 %1287, 1
-  %1293 = getelementptr inbounds double, ptr %1270, i64 %1292
-  %1294 = load double, ptr %1293, align 8, !noalias !28
-  %1295 = or disjoint i64 %1292, 1
-  %1296 = getelementptr inbounds double, ptr %1270, i64 %1295
-  %1297 = load double, ptr %1296, align 8, !noalias !28
-  %1298 = fmul double %1289, %1289
-  %1299 = fmul double %1294, %1294
-  %1300 = fmul double %1297, %1297
-  %1301 = fadd double %1299, %1300
-  %1302 = fadd double %1298, %1301
-  %1303 = fmul double %1291, %1291
-  %1304 = fadd double %1284, %1303
-  %1305 = getelementptr double, ptr %1259, i64 %1287
-  br label %1310
+1286:                                             ; preds = %1280, %1315
+  %1287 = phi i64 [ 0, %1280 ], [ %1316, %1315 ]
+  %1288 = load ptr, ptr %253, align 8, !noalias !29
+  %1289 = shl nuw nsw i64 %1287, 1
+  %1290 = getelementptr inbounds double, ptr %1288, i64 %1289
+  %1291 = load double, ptr %1290, align 8, !noalias !29
+  %1292 = or disjoint i64 %1289, 1
+  %1293 = getelementptr inbounds double, ptr %1288, i64 %1292
+  %1294 = load double, ptr %1293, align 8, !noalias !29
+  %1295 = load ptr, ptr %252, align 8, !noalias !29
+  %1296 = getelementptr inbounds double, ptr %1295, i64 %1287
+  %1297 = load double, ptr %1296, align 8, !noalias !29
+  store double %1297, ptr %10, align 16, !noalias !29
+  store double %1291, ptr %258, align 8, !noalias !29
+  store double %1294, ptr %259, align 16, !noalias !29
+  %1298 = getelementptr double, ptr %1278, i64 %1287
+  br label %1304
 
-1306:                                             ; preds = %1310
-  %1307 = fadd double %1283, %1302
-  %1308 = add nuw nsw i64 %1285, 1
-  %1309 = icmp eq i64 %1308, %1252
-  br i1 %1309, label %1271, label %1282, !llvm.loop !41
+1299:                                             ; preds = %1304
+  %1300 = getelementptr inbounds double, ptr %1278, i64 %1287
+  %1301 = getelementptr double, ptr %1282, i64 %1287
+  %1302 = getelementptr double, ptr %1284, i64 %1287
+  %1303 = getelementptr double, ptr %1277, i64 %1287
+  br label %1318
 
-1310:                                             ; preds = %1282, %1310
-  %1311 = phi i64 [ 0, %1282 ], [ %1318, %1310 ]
-  %1312 = phi double [ %1304, %1282 ], [ %1317, %1310 ]
-  %1313 = mul nsw i64 %1258, %1311
-  %1314 = getelementptr double, ptr %1305, i64 %1313
-  %1315 = load double, ptr %1314, align 8, !noalias !28
-  %1316 = fmul double %1315, %1315
-  %1317 = fadd double %1312, %1316
-  %1318 = add nuw nsw i64 %1311, 1
-  %1319 = icmp eq i64 %1318, 3
-  br i1 %1319, label %1306, label %1310, !llvm.loop !42
+1304:                                             ; preds = %1286, %1304
+  %1305 = phi i64 [ 0, %1286 ], [ %1313, %1304 ]
+  %1306 = mul nuw nsw i64 %1276, %1305
+  %1307 = getelementptr double, ptr %1298, i64 %1306
+  %1308 = load double, ptr %1307, align 8, !noalias !29
+  %1309 = getelementptr inbounds [3 x double], ptr %10, i64 0, i64 %1305
+  %1310 = load double, ptr %1309, align 8, !noalias !29
+  %1311 = fadd double %1308, %1310
+  %1312 = select i1 %1281, double %1308, double %1311
+  store double %1312, ptr %1307, align 8, !noalias !29
+  %1313 = add nuw nsw i64 %1305, 1
+  %1314 = icmp eq i64 %1313, 3
+  br i1 %1314, label %1299, label %1304, !llvm.loop !37
 
-1320:                                             ; preds = %1271, %1251
-  %1321 = phi double [ 0.000000e+00, %1251 ], [ %1279, %1271 ]
-  %1322 = fcmp ole double %1321, %435
-  %1323 = and i64 %1244, 1
-  %1324 = select i1 %1322, i64 %1323, i64 0
-  br label %1325
+1315:                                             ; preds = %1318
+  %1316 = add nuw nsw i64 %1287, 1
+  %1317 = icmp eq i64 %1316, %1276
+  br i1 %1317, label %1340, label %1286, !llvm.loop !38
 
-1325:                                             ; preds = %1320, %1231
-  %1326 = phi i64 [ %1324, %1320 ], [ %1244, %1231 ]
-  %1327 = xor i64 %1326, -1
-  %1328 = and i64 %1161, %1327
-  %1329 = icmp eq i64 %1328, 0
-  %1330 = select i1 %1329, i32 2, i32 0
-  %1331 = select i1 %1329, double %870, double %1133
-  br label %1332
+1318:                                             ; preds = %1299, %1318
+  %1319 = phi i64 [ 0, %1299 ], [ %1338, %1318 ]
+  %1320 = mul nuw nsw i64 %1276, %1319
+  %1321 = getelementptr inbounds [3 x [3 x double]], ptr @FROM_WAVES, i64 0, i64 %1319
+  %1322 = load double, ptr %1321, align 8, !noalias !29
+  %1323 = load double, ptr %1300, align 8, !noalias !29
+  %1324 = fmul double %1322, %1323
+  %1325 = getelementptr inbounds i8, ptr %1321, i64 8
+  %1326 = load double, ptr %1325, align 8, !noalias !29
+  %1327 = load double, ptr %1301, align 8, !noalias !29
+  %1328 = fmul double %1326, %1327
+  %1329 = fadd double %1324, %1328
+  %1330 = getelementptr inbounds i8, ptr %1321, i64 16
+  %1331 = load double, ptr %1330, align 8, !noalias !29
+  %1332 = load double, ptr %1302, align 8, !noalias !29
+  %1333 = fmul double %1331, %1332
+  %1334 = fadd double %1329, %1333
+  %1335 = getelementptr double, ptr %1303, i64 %1320
+  %1336 = load double, ptr %1335, align 8, !noalias !29
+  %1337 = select i1 %1285, double %1336, double %1334
+  store double %1337, ptr %1335, align 8, !noalias !29
+  %1338 = add nuw nsw i64 %1319, 1
+  %1339 = icmp eq i64 %1338, 3
+  br i1 %1339, label %1315, label %1318, !llvm.loop !39
 
-1332:                                             ; preds = %1325, %966
-  %1333 = phi double [ %961, %966 ], [ %885, %1325 ]
-  %1334 = phi double [ %878, %966 ], [ %884, %1325 ]
-  %1335 = phi double [ %877, %966 ], [ %883, %1325 ]
-  %1336 = phi i64 [ %962, %966 ], [ %882, %1325 ]
-  %1337 = phi i64 [ %963, %966 ], [ %881, %1325 ]
-  %1338 = phi i64 [ %969, %966 ], [ %880, %1325 ]
-  %1339 = phi double [ %878, %966 ], [ %1149, %1325 ]
-  %1340 = phi double [ %877, %966 ], [ %1243, %1325 ]
-  %1341 = phi i64 [ %969, %966 ], [ %1244, %1325 ]
-  %1342 = phi i32 [ 1, %966 ], [ %1330, %1325 ]
-  %1343 = phi i64 [ %872, %966 ], [ %1164, %1325 ]
-  %1344 = phi i64 [ %888, %966 ], [ %1328, %1325 ]
-  %1345 = phi double [ %870, %966 ], [ %1331, %1325 ]
-  %1346 = icmp eq i32 %1342, 0
-  br i1 %1346, label %866, label %1347
+1340:                                             ; preds = %1315, %1262
+  %1341 = fdiv double %1258, %1259
+  %1342 = fmul double %1242, %1341
+  %1343 = fcmp olt double %1342, %542
+  %1344 = and i1 %1253, %1343
+  %1345 = or i1 %1243, %1344
+  %1346 = and i64 %1250, 1
+  %1347 = select i1 %1345, i64 %1346, i64 0
+  %1348 = and i64 %1270, %1347
+  %1349 = add nuw nsw i64 %982, 1
+  %1350 = uitofp nneg i64 %1349 to double
+  %1351 = icmp eq i64 %1348, 0
+  %1352 = select i1 %1351, double %986, double %1350
+  %1353 = or i64 %1348, %983
+  br i1 %969, label %1360, label %1434
 
-1347:                                             ; preds = %1332, %866
-  %1348 = phi i32 [ %1342, %1332 ], [ 2, %866 ]
-  %1349 = icmp eq i32 %1348, 2
-  br i1 %1349, label %1350, label %1353
+1354:                                             ; preds = %1237, %1354
+  %1355 = phi i64 [ %1358, %1354 ], [ %982, %1237 ]
+  %1356 = phi double [ %1357, %1354 ], [ %1260, %1237 ]
+  %1357 = fmul double %1258, %1356
+  %1358 = add nuw nsw i64 %1355, 1
+  %1359 = icmp ult i64 %1355, 4
+  br i1 %1359, label %1354, label %1262, !llvm.loop !40
 
-1350:                                             ; preds = %1347
-  %1351 = xor i64 %1343, -1
-  %1352 = and i64 %1341, %1351
-  br label %1353
+1360:                                             ; preds = %1340
+  %1361 = load i64, ptr %251, align 8, !noalias !29
+  %1362 = load ptr, ptr %192, align 8, !noalias !29
+  %1363 = getelementptr inbounds i8, ptr %1362, i64 40
+  %1364 = load i64, ptr %1363, align 8, !noalias !29
+  %1365 = load ptr, ptr %190, align 8, !noalias !29
+  %1366 = getelementptr inbounds i8, ptr %1365, i64 8
+  %1367 = load i64, ptr %1366, align 8, !noalias !29
+  %1368 = load ptr, ptr %238, align 8, !noalias !29
+  %1369 = icmp sgt i64 %1364, 0
+  br i1 %1369, label %1370, label %1429
 
-1353:                                             ; preds = %1347, %1350
-  %1354 = phi double [ %961, %1350 ], [ %1333, %1347 ]
-  %1355 = phi double [ %1339, %1350 ], [ %1334, %1347 ]
-  %1356 = phi double [ %1340, %1350 ], [ %1335, %1347 ]
-  %1357 = phi i64 [ %962, %1350 ], [ %1336, %1347 ]
-  %1358 = phi i64 [ %963, %1350 ], [ %1337, %1347 ]
-  %1359 = phi i64 [ %1352, %1350 ], [ %1338, %1347 ]
-  %1360 = fadd double %686, %1354
-  %1361 = fcmp ogt double %1356, 2.000000e+00
-  %1362 = fcmp ogt double %1355, 1.000000e-03
-  %1363 = and i1 %1362, %1361
-  %1364 = icmp eq i64 %1359, %764
-  br i1 %1364, label %1432, label %1365
+1370:                                             ; preds = %1360
+  %1371 = icmp sgt i64 %1361, 0
+  br label %1372
 
-1365:                                             ; preds = %1353
-  %1366 = xor i64 %1359, -1
-  %1367 = and i64 %764, %1366
-  %1368 = load ptr, ptr %83, align 8, !noalias !15
-  %1369 = getelementptr inbounds i8, ptr %1368, i64 16
-  %1370 = load i64, ptr %1369, align 8, !noalias !15
-  %1371 = xor i64 %1358, -1
-  %1372 = and i64 %1370, %1371
-  %1373 = and i64 %1372, %1367
-  %1374 = tail call double @llvm.fabs.f64(double %1355)
-  %1375 = fcmp ueq double %1374, 0x7FF0000000000000
-  %1376 = select i1 %1375, double 4.000000e+00, double 7.000000e+00
-  %1377 = and i64 %1358, 4294967295
-  %1378 = icmp eq i64 %1377, 0
-  %1379 = select i1 %1378, double %1376, double 3.000000e+00
-  %1380 = icmp eq i64 %1367, 0
-  %1381 = select i1 %1380, double %763, double %1379
-  %1382 = icmp eq i64 %1373, 0
-  br i1 %1382, label %1403, label %1383
+1372:                                             ; preds = %1370, %1380
+  %1373 = phi double [ 0.000000e+00, %1370 ], [ %1388, %1380 ]
+  %1374 = phi i64 [ 0, %1370 ], [ %1389, %1380 ]
+  br i1 %1371, label %1375, label %1380
 
-1383:                                             ; preds = %1365
-  %1384 = load i64, ptr %151, align 8, !noalias !15
-  %1385 = icmp sgt i64 %1384, 0
-  br i1 %1385, label %1386, label %1398
+1375:                                             ; preds = %1372
+  %1376 = add nuw i64 %1374, %1361
+  %1377 = load ptr, ptr %252, align 8, !noalias !29
+  %1378 = load ptr, ptr %191, align 8, !noalias !29
+  %1379 = load ptr, ptr %253, align 8, !noalias !29
+  br label %1391
 
-1386:                                             ; preds = %1383, %1386
-  %1387 = phi i32 [ %1394, %1386 ], [ 0, %1383 ]
-  %1388 = phi i64 [ %1395, %1386 ], [ 0, %1383 ]
-  %1389 = load ptr, ptr %152, align 8, !noalias !15
-  %1390 = getelementptr inbounds double, ptr %1389, i64 %1388
-  %1391 = load double, ptr %1390, align 8, !noalias !15
-  %1392 = fcmp une double %1391, 0.000000e+00
-  %1393 = zext i1 %1392 to i32
-  %1394 = or i32 %1387, %1393
-  store double 0.000000e+00, ptr %1390, align 8, !noalias !15
-  %1395 = add nuw nsw i64 %1388, 1
-  %1396 = load i64, ptr %151, align 8, !noalias !15
-  %1397 = icmp slt i64 %1395, %1396
-  br i1 %1397, label %1386, label %1398, !llvm.loop !43
+1380:                                             ; preds = %1415, %1372
+  %1381 = phi double [ 0.000000e+00, %1372 ], [ %1426, %1415 ]
+  %1382 = phi double [ 0.000000e+00, %1372 ], [ %1416, %1415 ]
+  %1383 = fcmp ule double %1381, 0.000000e+00
+  %1384 = fdiv double %1382, %1381
+  %1385 = select i1 %1383, double 1.000000e+00, double %1384
+  %1386 = fmul double %1373, %1381
+  %1387 = fcmp ule double %1382, %1386
+  %1388 = select i1 %1387, double %1373, double %1385
+  %1389 = add nuw nsw i64 %1374, 1
+  %1390 = icmp eq i64 %1389, %1364
+  br i1 %1390, label %1429, label %1372, !llvm.loop !41
 
-1398:                                             ; preds = %1386, %1383
-  %1399 = phi i32 [ 0, %1383 ], [ %1394, %1386 ]
-  %1400 = zext nneg i32 %1399 to i64
-  %1401 = and i64 %1373, %1400
-  %1402 = xor i64 %1401, -1
-  br label %1403
+1391:                                             ; preds = %1375, %1415
+  %1392 = phi double [ 0.000000e+00, %1375 ], [ %1416, %1415 ]
+  %1393 = phi double [ 0.000000e+00, %1375 ], [ %1426, %1415 ]
+  %1394 = phi i64 [ 0, %1375 ], [ %1417, %1415 ]
+  %1395 = mul nuw nsw i64 %1394, %1364
+  %1396 = add i64 %1376, %1395
+  %1397 = getelementptr inbounds double, ptr %1377, i64 %1396
+  %1398 = load double, ptr %1397, align 8, !noalias !29
+  %1399 = getelementptr inbounds double, ptr %1378, i64 %1396
+  %1400 = load double, ptr %1399, align 8, !noalias !29
+  %1401 = shl nsw i64 %1396, 1
+  %1402 = getelementptr inbounds double, ptr %1379, i64 %1401
+  %1403 = load double, ptr %1402, align 8, !noalias !29
+  %1404 = or disjoint i64 %1401, 1
+  %1405 = getelementptr inbounds double, ptr %1379, i64 %1404
+  %1406 = load double, ptr %1405, align 8, !noalias !29
+  %1407 = fmul double %1398, %1398
+  %1408 = fmul double %1403, %1403
+  %1409 = fmul double %1406, %1406
+  %1410 = fadd double %1408, %1409
+  %1411 = fadd double %1407, %1410
+  %1412 = fmul double %1400, %1400
+  %1413 = fadd double %1393, %1412
+  %1414 = getelementptr double, ptr %1368, i64 %1396
+  br label %1419
 
-1403:                                             ; preds = %1365, %1398
-  %1404 = phi i64 [ %1402, %1398 ], [ -1, %1365 ]
-  %1405 = and i64 %1404, %1373
-  %1406 = getelementptr inbounds i8, ptr %1368, i64 24
-  %1407 = load i64, ptr %1406, align 8, !noalias !15
-  %1408 = and i64 %1407, %1404
-  store i64 %1408, ptr %1406, align 8, !noalias !15
-  %1409 = xor i64 %1405, -1
-  %1410 = load i64, ptr %1369, align 8, !noalias !15
-  %1411 = and i64 %1410, %1409
-  store i64 %1411, ptr %1369, align 8, !noalias !15
-  %1412 = fmul double %535, 5.000000e-01
-  %1413 = icmp eq i64 %1405, 0
-  %1414 = select i1 %1413, double %762, double %1412
-  %1415 = fmul double %535, 2.500000e-01
-  %1416 = select i1 %1378, double %1414, double %1415
-  %1417 = load ptr, ptr %120, align 8, !noalias !15
-  %1418 = getelementptr inbounds i8, ptr %1417, i64 8
-  %1419 = load double, ptr %1418, align 8, !noalias !15
-  %1420 = select i1 %1378, double %1419, double 0.000000e+00
-  store double %1420, ptr %1418, align 8, !noalias !15
-  %1421 = and i64 %1404, %1367
-  %1422 = load ptr, ptr %83, align 8, !noalias !15
-  %1423 = getelementptr inbounds i8, ptr %1422, i64 8
-  %1424 = load i64, ptr %1423, align 8, !noalias !15
-  %1425 = xor i64 %1421, -1
-  %1426 = and i64 %1424, %1425
-  %1427 = getelementptr inbounds i8, ptr %1422, i64 16
-  %1428 = load i64, ptr %1427, align 8, !noalias !15
-  %1429 = xor i64 %1428, -1
-  %1430 = and i64 %1421, %1429
-  %1431 = or disjoint i64 %1430, %1426
-  store i64 %1431, ptr %1423, align 8, !noalias !15
-  br label %1432
+1415:                                             ; preds = %1419
+  %1416 = fadd double %1392, %1411
+  %1417 = add nuw nsw i64 %1394, 1
+  %1418 = icmp eq i64 %1417, %1361
+  br i1 %1418, label %1380, label %1391, !llvm.loop !42
 
-1432:                                             ; preds = %1403, %1353
-  %1433 = phi double [ %762, %1353 ], [ %1416, %1403 ]
-  %1434 = phi double [ %763, %1353 ], [ %1381, %1403 ]
-  %1435 = icmp eq i64 %1359, 0
-  %1436 = icmp ne i64 %1357, 0
-  %1437 = select i1 %1435, i1 true, i1 %1436
-  br i1 %1437, label %1985, label %1438
+1419:                                             ; preds = %1391, %1419
+  %1420 = phi i64 [ 0, %1391 ], [ %1427, %1419 ]
+  %1421 = phi double [ %1413, %1391 ], [ %1426, %1419 ]
+  %1422 = mul nsw i64 %1367, %1420
+  %1423 = getelementptr double, ptr %1414, i64 %1422
+  %1424 = load double, ptr %1423, align 8, !noalias !29
+  %1425 = fmul double %1424, %1424
+  %1426 = fadd double %1421, %1425
+  %1427 = add nuw nsw i64 %1420, 1
+  %1428 = icmp eq i64 %1427, 3
+  br i1 %1428, label %1415, label %1419, !llvm.loop !43
 
-1438:                                             ; preds = %1432
-  %1439 = icmp sgt i64 %545, 0
-  br i1 %1439, label %1440, label %1442
+1429:                                             ; preds = %1380, %1360
+  %1430 = phi double [ 0.000000e+00, %1360 ], [ %1388, %1380 ]
+  %1431 = fcmp ole double %1430, %544
+  %1432 = and i64 %1353, 1
+  %1433 = select i1 %1431, i64 %1432, i64 0
+  br label %1434
 
-1440:                                             ; preds = %1438
-  %1441 = shl i64 %545, 4
-  br label %1971
+1434:                                             ; preds = %1429, %1340
+  %1435 = phi i64 [ %1433, %1429 ], [ %1353, %1340 ]
+  %1436 = xor i64 %1435, -1
+  %1437 = and i64 %1270, %1436
+  %1438 = icmp eq i64 %1437, 0
+  %1439 = select i1 %1438, i32 2, i32 0
+  %1440 = select i1 %1438, double %979, double %1242
+  br label %1441
 
-1442:                                             ; preds = %1971, %1438
-  %1443 = load i64, ptr %550, align 8, !noalias !15
-  %1444 = load ptr, ptr %81, align 8, !noalias !15
-  %1445 = getelementptr inbounds i8, ptr %1444, i64 8
-  %1446 = load i64, ptr %1445, align 8, !noalias !15
-  %1447 = load ptr, ptr %154, align 8, !noalias !15
-  %1448 = load ptr, ptr %155, align 8, !noalias !15
-  %1449 = icmp sgt i64 %1446, 0
-  br i1 %1449, label %1450, label %1452
+1441:                                             ; preds = %1434, %1075
+  %1442 = phi double [ %1070, %1075 ], [ %994, %1434 ]
+  %1443 = phi double [ %987, %1075 ], [ %993, %1434 ]
+  %1444 = phi double [ %986, %1075 ], [ %992, %1434 ]
+  %1445 = phi i64 [ %1071, %1075 ], [ %991, %1434 ]
+  %1446 = phi i64 [ %1072, %1075 ], [ %990, %1434 ]
+  %1447 = phi i64 [ %1078, %1075 ], [ %989, %1434 ]
+  %1448 = phi double [ %987, %1075 ], [ %1258, %1434 ]
+  %1449 = phi double [ %986, %1075 ], [ %1352, %1434 ]
+  %1450 = phi i64 [ %1078, %1075 ], [ %1353, %1434 ]
+  %1451 = phi i32 [ 1, %1075 ], [ %1439, %1434 ]
+  %1452 = phi i64 [ %981, %1075 ], [ %1273, %1434 ]
+  %1453 = phi i64 [ %997, %1075 ], [ %1437, %1434 ]
+  %1454 = phi double [ %979, %1075 ], [ %1440, %1434 ]
+  %1455 = icmp eq i32 %1451, 0
+  br i1 %1455, label %975, label %1456
 
-1450:                                             ; preds = %1442
-  %1451 = shl i64 %1446, 4
-  br label %1637
+1456:                                             ; preds = %1441, %975
+  %1457 = phi i32 [ %1451, %1441 ], [ 2, %975 ]
+  %1458 = icmp eq i32 %1457, 2
+  br i1 %1458, label %1459, label %1462
 
-1452:                                             ; preds = %1637, %1442
-  %1453 = load i64, ptr %158, align 8, !noalias !15
-  %1454 = load ptr, ptr %83, align 8, !noalias !15
-  %1455 = getelementptr inbounds i8, ptr %1454, i64 40
-  %1456 = load i64, ptr %1455, align 8, !noalias !15
-  %1457 = load ptr, ptr %159, align 8, !noalias !15
-  %1458 = load ptr, ptr %157, align 8, !noalias !15
-  tail call fastcc void @real_solve(ptr noundef %1457, i64 noundef %1453, ptr noundef %1458, ptr noundef %1448) #10, !noalias !15
-  %1459 = icmp sgt i64 %1456, 0
-  br i1 %1459, label %1460, label %1464
+1459:                                             ; preds = %1456
+  %1460 = xor i64 %1452, -1
+  %1461 = and i64 %1450, %1460
+  br label %1462
 
-1460:                                             ; preds = %1452
-  %1461 = load ptr, ptr %159, align 8, !noalias !15
-  %1462 = load ptr, ptr %157, align 8, !noalias !15
-  %1463 = getelementptr inbounds double, ptr %1448, i64 %1453
-  tail call fastcc void @real_solve_columns(ptr noundef %1461, i64 noundef %1453, ptr noundef %1462, ptr noundef %1463, i64 noundef %1456) #10, !noalias !15
-  br label %1464
+1462:                                             ; preds = %1456, %1459
+  %1463 = phi double [ %1070, %1459 ], [ %1442, %1456 ]
+  %1464 = phi double [ %1448, %1459 ], [ %1443, %1456 ]
+  %1465 = phi double [ %1449, %1459 ], [ %1444, %1456 ]
+  %1466 = phi i64 [ %1071, %1459 ], [ %1445, %1456 ]
+  %1467 = phi i64 [ %1072, %1459 ], [ %1446, %1456 ]
+  %1468 = phi i64 [ %1461, %1459 ], [ %1447, %1456 ]
+  %1469 = fadd double %795, %1463
+  %1470 = fcmp ogt double %1465, 2.000000e+00
+  %1471 = fcmp ogt double %1464, 1.000000e-03
+  %1472 = and i1 %1471, %1470
+  %1473 = icmp eq i64 %1468, %873
+  br i1 %1473, label %1541, label %1474
 
-1464:                                             ; preds = %1452, %1460
-  %1465 = load ptr, ptr %81, align 8, !noalias !15
-  %1466 = getelementptr inbounds i8, ptr %1465, i64 24
-  %1467 = load i64, ptr %1466, align 8, !noalias !15
-  %1468 = load ptr, ptr %160, align 8, !noalias !15
-  call fastcc void @norm_to(ptr noundef nonnull %8, ptr noundef %1448, ptr noundef %1468, ptr noundef nonnull %82, i64 noundef %1467) #10, !noalias !15
-  %1469 = load double, ptr %8, align 8, !noalias !15
-  %1470 = getelementptr inbounds i8, ptr %1465, i64 8
-  %1471 = load i64, ptr %1470, align 8, !noalias !15
-  %1472 = add nsw i64 %1471, -3
-  %1473 = getelementptr i8, ptr %1468, i64 8
-  %1474 = getelementptr i8, ptr %1468, i64 16
-  %1475 = getelementptr i8, ptr %1468, i64 24
-  %1476 = icmp slt i64 %1467, %1472
-  br i1 %1476, label %1484, label %1477
+1474:                                             ; preds = %1462
+  %1475 = xor i64 %1468, -1
+  %1476 = and i64 %873, %1475
+  %1477 = load ptr, ptr %192, align 8, !noalias !16
+  %1478 = getelementptr inbounds i8, ptr %1477, i64 16
+  %1479 = load i64, ptr %1478, align 8, !noalias !16
+  %1480 = xor i64 %1467, -1
+  %1481 = and i64 %1479, %1480
+  %1482 = and i64 %1481, %1476
+  %1483 = tail call double @llvm.fabs.f64(double %1464)
+  %1484 = fcmp ueq double %1483, 0x7FF0000000000000
+  %1485 = select i1 %1484, double 4.000000e+00, double 7.000000e+00
+  %1486 = and i64 %1467, 4294967295
+  %1487 = icmp eq i64 %1486, 0
+  %1488 = select i1 %1487, double %1485, double 3.000000e+00
+  %1489 = icmp eq i64 %1476, 0
+  %1490 = select i1 %1489, double %872, double %1488
+  %1491 = icmp eq i64 %1482, 0
+  br i1 %1491, label %1512, label %1492
 
-1477:                                             ; preds = %1484, %1464
-  %1478 = phi double [ 0.000000e+00, %1464 ], [ %1493, %1484 ]
-  %1479 = phi double [ 0.000000e+00, %1464 ], [ %1497, %1484 ]
-  %1480 = phi double [ 0.000000e+00, %1464 ], [ %1501, %1484 ]
-  %1481 = phi double [ 0.000000e+00, %1464 ], [ %1505, %1484 ]
-  %1482 = phi i64 [ %1467, %1464 ], [ %1506, %1484 ]
-  %1483 = icmp slt i64 %1482, %1471
-  br i1 %1483, label %1508, label %1517
+1492:                                             ; preds = %1474
+  %1493 = load i64, ptr %260, align 8, !noalias !16
+  %1494 = icmp sgt i64 %1493, 0
+  br i1 %1494, label %1495, label %1507
 
-1484:                                             ; preds = %1464, %1484
-  %1485 = phi i64 [ %1506, %1484 ], [ %1467, %1464 ]
-  %1486 = phi double [ %1505, %1484 ], [ 0.000000e+00, %1464 ]
-  %1487 = phi double [ %1501, %1484 ], [ 0.000000e+00, %1464 ]
-  %1488 = phi double [ %1497, %1484 ], [ 0.000000e+00, %1464 ]
-  %1489 = phi double [ %1493, %1484 ], [ 0.000000e+00, %1464 ]
-  %1490 = getelementptr inbounds double, ptr %1468, i64 %1485
-  %1491 = load double, ptr %1490, align 8, !noalias !15
-  %1492 = fmul double %1491, 0.000000e+00
-  %1493 = fadd double %1489, %1492
-  %1494 = getelementptr double, ptr %1473, i64 %1485
-  %1495 = load double, ptr %1494, align 8, !noalias !15
-  %1496 = fmul double %1495, 0.000000e+00
-  %1497 = fadd double %1488, %1496
-  %1498 = getelementptr double, ptr %1474, i64 %1485
-  %1499 = load double, ptr %1498, align 8, !noalias !15
-  %1500 = fmul double %1499, 0.000000e+00
-  %1501 = fadd double %1487, %1500
-  %1502 = getelementptr double, ptr %1475, i64 %1485
-  %1503 = load double, ptr %1502, align 8, !noalias !15
-  %1504 = fmul double %1503, 0.000000e+00
-  %1505 = fadd double %1486, %1504
-  %1506 = add nsw i64 %1485, 4
-  %1507 = icmp slt i64 %1506, %1472
-  br i1 %1507, label %1484, label %1477, !llvm.loop !44
+1495:                                             ; preds = %1492, %1495
+  %1496 = phi i32 [ %1503, %1495 ], [ 0, %1492 ]
+  %1497 = phi i64 [ %1504, %1495 ], [ 0, %1492 ]
+  %1498 = load ptr, ptr %261, align 8, !noalias !16
+  %1499 = getelementptr inbounds double, ptr %1498, i64 %1497
+  %1500 = load double, ptr %1499, align 8, !noalias !16
+  %1501 = fcmp une double %1500, 0.000000e+00
+  %1502 = zext i1 %1501 to i32
+  %1503 = or i32 %1496, %1502
+  store double 0.000000e+00, ptr %1499, align 8, !noalias !16
+  %1504 = add nuw nsw i64 %1497, 1
+  %1505 = load i64, ptr %260, align 8, !noalias !16
+  %1506 = icmp slt i64 %1504, %1505
+  br i1 %1506, label %1495, label %1507, !llvm.loop !44
 
-1508:                                             ; preds = %1477, %1508
-  %1509 = phi i64 [ %1515, %1508 ], [ %1482, %1477 ]
-  %1510 = phi double [ %1514, %1508 ], [ %1478, %1477 ]
-  %1511 = getelementptr inbounds double, ptr %1468, i64 %1509
-  %1512 = load double, ptr %1511, align 8, !noalias !15
-  %1513 = fmul double %1512, 0.000000e+00
-  %1514 = fadd double %1510, %1513
-  %1515 = add nsw i64 %1509, 1
-  %1516 = icmp eq i64 %1515, %1471
-  br i1 %1516, label %1517, label %1508, !llvm.loop !45
+1507:                                             ; preds = %1495, %1492
+  %1508 = phi i32 [ 0, %1492 ], [ %1503, %1495 ]
+  %1509 = zext nneg i32 %1508 to i64
+  %1510 = and i64 %1482, %1509
+  %1511 = xor i64 %1510, -1
+  br label %1512
 
-1517:                                             ; preds = %1508, %1477
-  %1518 = phi double [ %1478, %1477 ], [ %1514, %1508 ]
-  %1519 = fadd double %1479, %1518
-  %1520 = fadd double %1480, %1481
-  %1521 = fadd double %1520, %1519
-  %1522 = fadd double %1469, %1521
-  %1523 = getelementptr inbounds i8, ptr %1465, i64 48
-  %1524 = load i64, ptr %1523, align 8, !noalias !15
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(64) %6, i8 0, i64 64, i1 false), !noalias !15
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(64) %7, i8 0, i64 64, i1 false), !noalias !15
-  %1525 = icmp eq i64 %1524, 0
-  br i1 %1525, label %1626, label %1526
+1512:                                             ; preds = %1474, %1507
+  %1513 = phi i64 [ %1511, %1507 ], [ -1, %1474 ]
+  %1514 = and i64 %1513, %1482
+  %1515 = getelementptr inbounds i8, ptr %1477, i64 24
+  %1516 = load i64, ptr %1515, align 8, !noalias !16
+  %1517 = and i64 %1516, %1513
+  store i64 %1517, ptr %1515, align 8, !noalias !16
+  %1518 = xor i64 %1514, -1
+  %1519 = load i64, ptr %1478, align 8, !noalias !16
+  %1520 = and i64 %1519, %1518
+  store i64 %1520, ptr %1478, align 8, !noalias !16
+  %1521 = fmul double %644, 5.000000e-01
+  %1522 = icmp eq i64 %1514, 0
+  %1523 = select i1 %1522, double %871, double %1521
+  %1524 = fmul double %644, 2.500000e-01
+  %1525 = select i1 %1487, double %1523, double %1524
+  %1526 = load ptr, ptr %229, align 8, !noalias !16
+  %1527 = getelementptr inbounds i8, ptr %1526, i64 8
+  %1528 = load double, ptr %1527, align 8, !noalias !16
+  %1529 = select i1 %1487, double %1528, double 0.000000e+00
+  store double %1529, ptr %1527, align 8, !noalias !16
+  %1530 = and i64 %1513, %1476
+  %1531 = load ptr, ptr %192, align 8, !noalias !16
+  %1532 = getelementptr inbounds i8, ptr %1531, i64 8
+  %1533 = load i64, ptr %1532, align 8, !noalias !16
+  %1534 = xor i64 %1530, -1
+  %1535 = and i64 %1533, %1534
+  %1536 = getelementptr inbounds i8, ptr %1531, i64 16
+  %1537 = load i64, ptr %1536, align 8, !noalias !16
+  %1538 = xor i64 %1537, -1
+  %1539 = and i64 %1530, %1538
+  %1540 = or disjoint i64 %1539, %1535
+  store i64 %1540, ptr %1532, align 8, !noalias !16
+  br label %1541
 
-1526:                                             ; preds = %1517
-  %1527 = add nsw i64 %1467, 7
-  %1528 = sdiv i64 %1527, 8
-  %1529 = shl nsw i64 %1528, 3
-  %1530 = tail call i64 @llvm.smin.i64(i64 %1529, i64 %1524)
-  %1531 = icmp slt i64 %1467, %1530
-  br i1 %1531, label %1532, label %1566
+1541:                                             ; preds = %1512, %1462
+  %1542 = phi double [ %871, %1462 ], [ %1525, %1512 ]
+  %1543 = phi double [ %872, %1462 ], [ %1490, %1512 ]
+  %1544 = icmp eq i64 %1468, 0
+  %1545 = icmp ne i64 %1466, 0
+  %1546 = select i1 %1544, i1 true, i1 %1545
+  br i1 %1546, label %2094, label %1547
 
-1532:                                             ; preds = %1526
-  %1533 = load ptr, ptr %82, align 8, !noalias !15
-  %1534 = load ptr, ptr %161, align 8, !noalias !15
-  %1535 = load ptr, ptr %88, align 8, !noalias !15
-  br label %1536
+1547:                                             ; preds = %1541
+  %1548 = icmp sgt i64 %654, 0
+  br i1 %1548, label %1549, label %1551
 
-1536:                                             ; preds = %1532, %1536
-  %1537 = phi i64 [ %1467, %1532 ], [ %1564, %1536 ]
-  %1538 = getelementptr inbounds double, ptr %1533, i64 %1537
-  %1539 = load double, ptr %1538, align 8, !noalias !15
-  %1540 = tail call double @llvm.fabs.f64(double %1539)
-  %1541 = getelementptr inbounds double, ptr %1468, i64 %1537
-  %1542 = load double, ptr %1541, align 8, !noalias !15
-  %1543 = tail call double @llvm.fabs.f64(double %1542)
-  %1544 = fcmp ogt double %1540, %1543
-  %1545 = select i1 %1544, double %1540, double %1543
-  %1546 = getelementptr inbounds double, ptr %1534, i64 %1537
-  %1547 = load double, ptr %1546, align 8, !noalias !15
-  %1548 = getelementptr inbounds double, ptr %1535, i64 %1537
-  %1549 = load double, ptr %1548, align 8, !noalias !15
-  %1550 = fmul double %1545, %1549
-  %1551 = fadd double %1547, %1550
-  %1552 = fdiv double 1.000000e+00, %1551
-  %1553 = getelementptr inbounds double, ptr %1448, i64 %1537
-  %1554 = load double, ptr %1553, align 8, !noalias !15
-  %1555 = fmul double %1554, %1552
-  %1556 = srem i64 %1537, 8
-  %1557 = getelementptr inbounds double, ptr %6, i64 %1556
-  %1558 = load double, ptr %1557, align 8, !noalias !15
-  %1559 = fmul double %1555, %1555
-  %1560 = fadd double %1558, %1559
-  store double %1560, ptr %1557, align 8, !noalias !15
-  %1561 = getelementptr inbounds double, ptr %7, i64 %1556
-  %1562 = load double, ptr %1561, align 8, !noalias !15
-  %1563 = fadd double %1562, %1559
-  store double %1563, ptr %1561, align 8, !noalias !15
-  %1564 = add nsw i64 %1537, 1
-  %1565 = icmp eq i64 %1564, %1530
-  br i1 %1565, label %1566, label %1536, !llvm.loop !46
+1549:                                             ; preds = %1547
+  %1550 = shl i64 %654, 4
+  br label %2080
 
-1566:                                             ; preds = %1536, %1526
-  %1567 = phi i64 [ %1467, %1526 ], [ %1564, %1536 ]
-  %1568 = load <8 x double>, ptr %6, align 16, !noalias !15
-  %1569 = load <8 x double>, ptr %7, align 16, !noalias !15
-  %1570 = icmp slt i64 %1567, %1524
-  br i1 %1570, label %1571, label %1606
+1551:                                             ; preds = %2080, %1547
+  %1552 = load i64, ptr %659, align 8, !noalias !16
+  %1553 = load ptr, ptr %190, align 8, !noalias !16
+  %1554 = getelementptr inbounds i8, ptr %1553, i64 8
+  %1555 = load i64, ptr %1554, align 8, !noalias !16
+  %1556 = load ptr, ptr %263, align 8, !noalias !16
+  %1557 = load ptr, ptr %264, align 8, !noalias !16
+  %1558 = icmp sgt i64 %1555, 0
+  br i1 %1558, label %1559, label %1561
 
-1571:                                             ; preds = %1566
-  %1572 = load ptr, ptr %82, align 8, !noalias !15
-  %1573 = load ptr, ptr %162, align 8, !noalias !15
-  %1574 = load ptr, ptr %88, align 8, !noalias !15
-  br label %1575
+1559:                                             ; preds = %1551
+  %1560 = shl i64 %1555, 4
+  br label %1746
 
-1575:                                             ; preds = %1571, %1575
-  %1576 = phi i64 [ %1567, %1571 ], [ %1604, %1575 ]
-  %1577 = phi <8 x double> [ %1568, %1571 ], [ %1602, %1575 ]
-  %1578 = phi <8 x double> [ %1569, %1571 ], [ %1603, %1575 ]
-  %1579 = getelementptr inbounds double, ptr %1572, i64 %1576
-  %1580 = load <8 x double>, ptr %1579, align 8, !noalias !15
-  %1581 = fneg <8 x double> %1580
-  %1582 = fcmp ogt <8 x double> %1580, zeroinitializer
-  %1583 = select <8 x i1> %1582, <8 x double> %1580, <8 x double> %1581
-  %1584 = getelementptr inbounds double, ptr %1468, i64 %1576
-  %1585 = load <8 x double>, ptr %1584, align 8, !noalias !15
-  %1586 = fneg <8 x double> %1585
-  %1587 = fcmp ogt <8 x double> %1585, zeroinitializer
-  %1588 = select <8 x i1> %1587, <8 x double> %1585, <8 x double> %1586
-  %1589 = fcmp ogt <8 x double> %1583, %1588
-  %1590 = select <8 x i1> %1589, <8 x double> %1583, <8 x double> %1588
-  %1591 = getelementptr inbounds double, ptr %1573, i64 %1576
-  %1592 = load <8 x double>, ptr %1591, align 8, !noalias !15
-  %1593 = getelementptr inbounds double, ptr %1574, i64 %1576
-  %1594 = load <8 x double>, ptr %1593, align 8, !noalias !15
-  %1595 = fmul <8 x double> %1594, %1590
-  %1596 = fadd <8 x double> %1592, %1595
-  %1597 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %1596
-  %1598 = getelementptr inbounds double, ptr %1448, i64 %1576
-  %1599 = load <8 x double>, ptr %1598, align 8, !noalias !15
-  %1600 = fmul <8 x double> %1599, %1597
-  %1601 = fmul <8 x double> %1600, %1600
-  %1602 = fadd <8 x double> %1577, %1601
-  %1603 = fadd <8 x double> %1578, %1601
-  %1604 = add nsw i64 %1576, 8
-  %1605 = icmp slt i64 %1604, %1524
-  br i1 %1605, label %1575, label %1606, !llvm.loop !47
+1561:                                             ; preds = %1746, %1551
+  %1562 = load i64, ptr %267, align 8, !noalias !16
+  %1563 = load ptr, ptr %192, align 8, !noalias !16
+  %1564 = getelementptr inbounds i8, ptr %1563, i64 40
+  %1565 = load i64, ptr %1564, align 8, !noalias !16
+  %1566 = load ptr, ptr %268, align 8, !noalias !16
+  %1567 = load ptr, ptr %266, align 8, !noalias !16
+  tail call fastcc void @real_solve(ptr noundef %1566, i64 noundef %1562, ptr noundef %1567, ptr noundef %1557) #11, !noalias !16
+  %1568 = icmp sgt i64 %1565, 0
+  br i1 %1568, label %1569, label %1573
 
-1606:                                             ; preds = %1575, %1566
-  %1607 = phi <8 x double> [ %1569, %1566 ], [ %1603, %1575 ]
-  %1608 = phi <8 x double> [ %1568, %1566 ], [ %1602, %1575 ]
-  store <8 x double> %1608, ptr %6, align 16, !noalias !15
-  store <8 x double> %1607, ptr %7, align 16, !noalias !15
-  br label %1618
+1569:                                             ; preds = %1561
+  %1570 = load ptr, ptr %268, align 8, !noalias !16
+  %1571 = load ptr, ptr %266, align 8, !noalias !16
+  %1572 = getelementptr inbounds double, ptr %1557, i64 %1562
+  tail call fastcc void @real_solve_columns(ptr noundef %1570, i64 noundef %1562, ptr noundef %1571, ptr noundef %1572, i64 noundef %1565) #11, !noalias !16
+  br label %1573
 
-1609:                                             ; preds = %1618
-  %1610 = sub nsw i64 %1524, %1467
-  %1611 = sitofp i64 %1610 to double
-  %1612 = fdiv double %1623, %1611
-  %1613 = tail call double @llvm.sqrt.f64(double %1612)
-  %1614 = fcmp ule double %535, %239
-  %1615 = fcmp ogt double %1613, %1522
-  %1616 = select i1 %1615, double %1613, double %1522
-  %1617 = select i1 %1614, double %1522, double %1616
-  br label %1626
+1573:                                             ; preds = %1561, %1569
+  %1574 = load ptr, ptr %190, align 8, !noalias !16
+  %1575 = getelementptr inbounds i8, ptr %1574, i64 24
+  %1576 = load i64, ptr %1575, align 8, !noalias !16
+  %1577 = load ptr, ptr %269, align 8, !noalias !16
+  call fastcc void @norm_to(ptr noundef nonnull %8, ptr noundef %1557, ptr noundef %1577, ptr noundef nonnull %191, i64 noundef %1576) #11, !noalias !16
+  %1578 = load double, ptr %8, align 8, !noalias !16
+  %1579 = getelementptr inbounds i8, ptr %1574, i64 8
+  %1580 = load i64, ptr %1579, align 8, !noalias !16
+  %1581 = add nsw i64 %1580, -3
+  %1582 = getelementptr i8, ptr %1577, i64 8
+  %1583 = getelementptr i8, ptr %1577, i64 16
+  %1584 = getelementptr i8, ptr %1577, i64 24
+  %1585 = icmp slt i64 %1576, %1581
+  br i1 %1585, label %1593, label %1586
 
-1618:                                             ; preds = %1606, %1618
-  %1619 = phi i64 [ 0, %1606 ], [ %1624, %1618 ]
-  %1620 = phi double [ 0.000000e+00, %1606 ], [ %1623, %1618 ]
-  %1621 = getelementptr inbounds double, ptr %6, i64 %1619
-  %1622 = load double, ptr %1621, align 8, !noalias !15
-  %1623 = fadd double %1620, %1622
-  %1624 = add nuw nsw i64 %1619, 1
-  %1625 = icmp eq i64 %1624, 8
-  br i1 %1625, label %1609, label %1618, !llvm.loop !48
+1586:                                             ; preds = %1593, %1573
+  %1587 = phi double [ 0.000000e+00, %1573 ], [ %1602, %1593 ]
+  %1588 = phi double [ 0.000000e+00, %1573 ], [ %1606, %1593 ]
+  %1589 = phi double [ 0.000000e+00, %1573 ], [ %1610, %1593 ]
+  %1590 = phi double [ 0.000000e+00, %1573 ], [ %1614, %1593 ]
+  %1591 = phi i64 [ %1576, %1573 ], [ %1615, %1593 ]
+  %1592 = icmp slt i64 %1591, %1580
+  br i1 %1592, label %1617, label %1626
 
-1626:                                             ; preds = %1517, %1609
-  %1627 = phi double [ %1617, %1609 ], [ %1522, %1517 ]
-  %1628 = fcmp olt double %1627, 1.000000e+00
-  %1629 = zext i1 %1628 to i64
-  %1630 = xor i64 %1629, -1
-  %1631 = and i64 %1443, %1630
-  %1632 = and i64 %1631, %1359
-  %1633 = and i64 %1359, %1629
-  %1634 = icmp eq i64 %1632, 0
-  br i1 %1634, label %1904, label %1635
+1593:                                             ; preds = %1573, %1593
+  %1594 = phi i64 [ %1615, %1593 ], [ %1576, %1573 ]
+  %1595 = phi double [ %1614, %1593 ], [ 0.000000e+00, %1573 ]
+  %1596 = phi double [ %1610, %1593 ], [ 0.000000e+00, %1573 ]
+  %1597 = phi double [ %1606, %1593 ], [ 0.000000e+00, %1573 ]
+  %1598 = phi double [ %1602, %1593 ], [ 0.000000e+00, %1573 ]
+  %1599 = getelementptr inbounds double, ptr %1577, i64 %1594
+  %1600 = load double, ptr %1599, align 8, !noalias !16
+  %1601 = fmul double %1600, 0.000000e+00
+  %1602 = fadd double %1598, %1601
+  %1603 = getelementptr double, ptr %1582, i64 %1594
+  %1604 = load double, ptr %1603, align 8, !noalias !16
+  %1605 = fmul double %1604, 0.000000e+00
+  %1606 = fadd double %1597, %1605
+  %1607 = getelementptr double, ptr %1583, i64 %1594
+  %1608 = load double, ptr %1607, align 8, !noalias !16
+  %1609 = fmul double %1608, 0.000000e+00
+  %1610 = fadd double %1596, %1609
+  %1611 = getelementptr double, ptr %1584, i64 %1594
+  %1612 = load double, ptr %1611, align 8, !noalias !16
+  %1613 = fmul double %1612, 0.000000e+00
+  %1614 = fadd double %1595, %1613
+  %1615 = add nsw i64 %1594, 4
+  %1616 = icmp slt i64 %1615, %1581
+  br i1 %1616, label %1593, label %1586, !llvm.loop !45
+
+1617:                                             ; preds = %1586, %1617
+  %1618 = phi i64 [ %1624, %1617 ], [ %1591, %1586 ]
+  %1619 = phi double [ %1623, %1617 ], [ %1587, %1586 ]
+  %1620 = getelementptr inbounds double, ptr %1577, i64 %1618
+  %1621 = load double, ptr %1620, align 8, !noalias !16
+  %1622 = fmul double %1621, 0.000000e+00
+  %1623 = fadd double %1619, %1622
+  %1624 = add nsw i64 %1618, 1
+  %1625 = icmp eq i64 %1624, %1580
+  br i1 %1625, label %1626, label %1617, !llvm.loop !46
+
+1626:                                             ; preds = %1617, %1586
+  %1627 = phi double [ %1587, %1586 ], [ %1623, %1617 ]
+  %1628 = fadd double %1588, %1627
+  %1629 = fadd double %1589, %1590
+  %1630 = fadd double %1629, %1628
+  %1631 = fadd double %1578, %1630
+  %1632 = getelementptr inbounds i8, ptr %1574, i64 48
+  %1633 = load i64, ptr %1632, align 8, !noalias !16
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(64) %6, i8 0, i64 64, i1 false), !noalias !16
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(64) %7, i8 0, i64 64, i1 false), !noalias !16
+  %1634 = icmp eq i64 %1633, 0
+  br i1 %1634, label %1735, label %1635
 
 1635:                                             ; preds = %1626
-  %1636 = icmp sgt i64 %1446, 0
-  br i1 %1636, label %1696, label %1662
+  %1636 = add nsw i64 %1576, 7
+  %1637 = sdiv i64 %1636, 8
+  %1638 = shl nsw i64 %1637, 3
+  %1639 = tail call i64 @llvm.smin.i64(i64 %1638, i64 %1633)
+  %1640 = icmp slt i64 %1576, %1639
+  br i1 %1640, label %1641, label %1675
 
-1637:                                             ; preds = %1450, %1637
-  %1638 = phi i64 [ 0, %1450 ], [ %1660, %1637 ]
-  %1639 = load ptr, ptr %128, align 8, !noalias !15
-  %1640 = getelementptr inbounds double, ptr %1639, i64 %1638
-  %1641 = load double, ptr %1640, align 8, !noalias !15
-  %1642 = fmul double %1641, 0x402418FD8BAFFE05
-  %1643 = getelementptr double, ptr %1639, i64 %1446
-  %1644 = getelementptr double, ptr %1643, i64 %1638
-  %1645 = load double, ptr %1644, align 8, !noalias !15
-  %1646 = fmul double %1645, 0x3FF61D41B2D54580
-  %1647 = fsub double %1646, %1642
-  %1648 = getelementptr i8, ptr %1639, i64 %1451
-  %1649 = getelementptr double, ptr %1648, i64 %1638
-  %1650 = load double, ptr %1649, align 8, !noalias !15
-  %1651 = fmul double %1650, 0x3FD5555555555555
-  %1652 = fsub double %1647, %1651
-  %1653 = fdiv double %1652, %535
-  %1654 = getelementptr inbounds double, ptr %1447, i64 %1638
-  store double %1653, ptr %1654, align 8, !noalias !15
-  %1655 = load ptr, ptr %156, align 8, !noalias !15
-  %1656 = getelementptr inbounds double, ptr %1655, i64 %1638
-  %1657 = load double, ptr %1656, align 8, !noalias !15
-  %1658 = fadd double %1657, %1653
-  %1659 = getelementptr inbounds double, ptr %1448, i64 %1638
-  store double %1658, ptr %1659, align 8, !noalias !15
-  %1660 = add nuw nsw i64 %1638, 1
-  %1661 = icmp eq i64 %1660, %1446
-  br i1 %1661, label %1452, label %1637, !llvm.loop !49
+1641:                                             ; preds = %1635
+  %1642 = load ptr, ptr %191, align 8, !noalias !16
+  %1643 = load ptr, ptr %270, align 8, !noalias !16
+  %1644 = load ptr, ptr %197, align 8, !noalias !16
+  br label %1645
 
-1662:                                             ; preds = %1696, %1635
-  %1663 = and i64 %1632, 4294967295
-  %1664 = icmp eq i64 %1663, 0
-  %1665 = select i1 %1664, double 0.000000e+00, double 1.000000e+00
-  %1666 = fadd double %1360, %1665
-  %1667 = load ptr, ptr %164, align 8, !noalias !15
-  %1668 = load ptr, ptr %165, align 8, !noalias !15
-  %1669 = load ptr, ptr %166, align 8, !noalias !15
-  store double %458, ptr %1669, align 8, !noalias !15
-  %1670 = load ptr, ptr %81, align 8, !noalias !15
-  %1671 = getelementptr inbounds i8, ptr %1670, i64 40
-  %1672 = load i64, ptr %1671, align 8, !noalias !15
-  %1673 = icmp eq i64 %1672, 0
-  br i1 %1673, label %1675, label %1674
+1645:                                             ; preds = %1641, %1645
+  %1646 = phi i64 [ %1576, %1641 ], [ %1673, %1645 ]
+  %1647 = getelementptr inbounds double, ptr %1642, i64 %1646
+  %1648 = load double, ptr %1647, align 8, !noalias !16
+  %1649 = tail call double @llvm.fabs.f64(double %1648)
+  %1650 = getelementptr inbounds double, ptr %1577, i64 %1646
+  %1651 = load double, ptr %1650, align 8, !noalias !16
+  %1652 = tail call double @llvm.fabs.f64(double %1651)
+  %1653 = fcmp ogt double %1649, %1652
+  %1654 = select i1 %1653, double %1649, double %1652
+  %1655 = getelementptr inbounds double, ptr %1643, i64 %1646
+  %1656 = load double, ptr %1655, align 8, !noalias !16
+  %1657 = getelementptr inbounds double, ptr %1644, i64 %1646
+  %1658 = load double, ptr %1657, align 8, !noalias !16
+  %1659 = fmul double %1654, %1658
+  %1660 = fadd double %1656, %1659
+  %1661 = fdiv double 1.000000e+00, %1660
+  %1662 = getelementptr inbounds double, ptr %1557, i64 %1646
+  %1663 = load double, ptr %1662, align 8, !noalias !16
+  %1664 = fmul double %1663, %1661
+  %1665 = srem i64 %1646, 8
+  %1666 = getelementptr inbounds double, ptr %6, i64 %1665
+  %1667 = load double, ptr %1666, align 8, !noalias !16
+  %1668 = fmul double %1664, %1664
+  %1669 = fadd double %1667, %1668
+  store double %1669, ptr %1666, align 8, !noalias !16
+  %1670 = getelementptr inbounds double, ptr %7, i64 %1665
+  %1671 = load double, ptr %1670, align 8, !noalias !16
+  %1672 = fadd double %1671, %1668
+  store double %1672, ptr %1670, align 8, !noalias !16
+  %1673 = add nsw i64 %1646, 1
+  %1674 = icmp eq i64 %1673, %1639
+  br i1 %1674, label %1675, label %1645, !llvm.loop !47
 
-1674:                                             ; preds = %1662
-  tail call fastcc void @settle(ptr noundef nonnull %81) #10, !noalias !15
-  br label %1675
+1675:                                             ; preds = %1645, %1635
+  %1676 = phi i64 [ %1576, %1635 ], [ %1673, %1645 ]
+  %1677 = load <8 x double>, ptr %6, align 16, !noalias !16
+  %1678 = load <8 x double>, ptr %7, align 16, !noalias !16
+  %1679 = icmp slt i64 %1676, %1633
+  br i1 %1679, label %1680, label %1715
 
-1675:                                             ; preds = %1674, %1662
-  %1676 = load i64, ptr %167, align 8, !noalias !15
-  %1677 = icmp sgt i64 %1676, 0
-  br i1 %1677, label %1678, label %1679
+1680:                                             ; preds = %1675
+  %1681 = load ptr, ptr %191, align 8, !noalias !16
+  %1682 = load ptr, ptr %271, align 8, !noalias !16
+  %1683 = load ptr, ptr %197, align 8, !noalias !16
+  br label %1684
 
-1678:                                             ; preds = %1675
-  tail call fastcc void @sample(ptr noundef nonnull %81) #10, !noalias !15
-  br label %1679
+1684:                                             ; preds = %1680, %1684
+  %1685 = phi i64 [ %1676, %1680 ], [ %1713, %1684 ]
+  %1686 = phi <8 x double> [ %1677, %1680 ], [ %1711, %1684 ]
+  %1687 = phi <8 x double> [ %1678, %1680 ], [ %1712, %1684 ]
+  %1688 = getelementptr inbounds double, ptr %1681, i64 %1685
+  %1689 = load <8 x double>, ptr %1688, align 8, !noalias !16
+  %1690 = fneg <8 x double> %1689
+  %1691 = fcmp ogt <8 x double> %1689, zeroinitializer
+  %1692 = select <8 x i1> %1691, <8 x double> %1689, <8 x double> %1690
+  %1693 = getelementptr inbounds double, ptr %1577, i64 %1685
+  %1694 = load <8 x double>, ptr %1693, align 8, !noalias !16
+  %1695 = fneg <8 x double> %1694
+  %1696 = fcmp ogt <8 x double> %1694, zeroinitializer
+  %1697 = select <8 x i1> %1696, <8 x double> %1694, <8 x double> %1695
+  %1698 = fcmp ogt <8 x double> %1692, %1697
+  %1699 = select <8 x i1> %1698, <8 x double> %1692, <8 x double> %1697
+  %1700 = getelementptr inbounds double, ptr %1682, i64 %1685
+  %1701 = load <8 x double>, ptr %1700, align 8, !noalias !16
+  %1702 = getelementptr inbounds double, ptr %1683, i64 %1685
+  %1703 = load <8 x double>, ptr %1702, align 8, !noalias !16
+  %1704 = fmul <8 x double> %1703, %1699
+  %1705 = fadd <8 x double> %1701, %1704
+  %1706 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %1705
+  %1707 = getelementptr inbounds double, ptr %1557, i64 %1685
+  %1708 = load <8 x double>, ptr %1707, align 8, !noalias !16
+  %1709 = fmul <8 x double> %1708, %1706
+  %1710 = fmul <8 x double> %1709, %1709
+  %1711 = fadd <8 x double> %1686, %1710
+  %1712 = fadd <8 x double> %1687, %1710
+  %1713 = add nsw i64 %1685, 8
+  %1714 = icmp slt i64 %1713, %1633
+  br i1 %1714, label %1684, label %1715, !llvm.loop !48
 
-1679:                                             ; preds = %1678, %1675
-  %1680 = load ptr, ptr %81, align 8, !noalias !15
-  %1681 = load i64, ptr %1680, align 8, !noalias !15
-  %1682 = load ptr, ptr %166, align 8, !noalias !15
-  %1683 = load ptr, ptr %168, align 8, !noalias !15
-  %1684 = load ptr, ptr %169, align 8, !noalias !15
-  %1685 = inttoptr i64 %1681 to ptr
-  %1686 = load ptr, ptr %1685, align 8, !noalias !15
-  %1687 = tail call i32 %1686(ptr noundef %1682, ptr noundef %1667, ptr noundef %1683, ptr noundef %1684, ptr noundef %1668) #11, !noalias !15
-  %1688 = sext i32 %1687 to i64
-  %1689 = icmp slt i32 %1687, 0
-  %1690 = select i1 %1689, i64 %1688, i64 %1357
-  %1691 = trunc i64 %1632 to i32
-  %1692 = and i32 %1687, %1691
-  %1693 = icmp eq i32 %1692, 0
-  %1694 = select i1 %1693, double %1434, double 3.000000e+00
-  %1695 = icmp sgt i64 %1446, 0
-  br i1 %1695, label %1893, label %1708
+1715:                                             ; preds = %1684, %1675
+  %1716 = phi <8 x double> [ %1678, %1675 ], [ %1712, %1684 ]
+  %1717 = phi <8 x double> [ %1677, %1675 ], [ %1711, %1684 ]
+  store <8 x double> %1717, ptr %6, align 16, !noalias !16
+  store <8 x double> %1716, ptr %7, align 16, !noalias !16
+  br label %1727
 
-1696:                                             ; preds = %1635, %1696
-  %1697 = phi i64 [ %1706, %1696 ], [ 0, %1635 ]
-  %1698 = load ptr, ptr %163, align 8, !noalias !15
-  %1699 = load ptr, ptr %82, align 8, !noalias !15
-  %1700 = getelementptr inbounds double, ptr %1699, i64 %1697
-  %1701 = load double, ptr %1700, align 8, !noalias !15
-  %1702 = getelementptr inbounds double, ptr %1448, i64 %1697
-  %1703 = load double, ptr %1702, align 8, !noalias !15
-  %1704 = fadd double %1701, %1703
-  %1705 = getelementptr inbounds double, ptr %1698, i64 %1697
-  store double %1704, ptr %1705, align 8, !noalias !15
-  %1706 = add nuw nsw i64 %1697, 1
-  %1707 = icmp eq i64 %1706, %1446
-  br i1 %1707, label %1662, label %1696, !llvm.loop !50
+1718:                                             ; preds = %1727
+  %1719 = sub nsw i64 %1633, %1576
+  %1720 = sitofp i64 %1719 to double
+  %1721 = fdiv double %1732, %1720
+  %1722 = tail call double @llvm.sqrt.f64(double %1721)
+  %1723 = fcmp ule double %644, %348
+  %1724 = fcmp ogt double %1722, %1631
+  %1725 = select i1 %1724, double %1722, double %1631
+  %1726 = select i1 %1723, double %1631, double %1725
+  br label %1735
 
-1708:                                             ; preds = %1893, %1679
-  %1709 = load i64, ptr %158, align 8, !noalias !15
-  %1710 = load ptr, ptr %83, align 8, !noalias !15
-  %1711 = getelementptr inbounds i8, ptr %1710, i64 40
-  %1712 = load i64, ptr %1711, align 8, !noalias !15
-  %1713 = load ptr, ptr %159, align 8, !noalias !15
-  %1714 = load ptr, ptr %157, align 8, !noalias !15
-  tail call fastcc void @real_solve(ptr noundef %1713, i64 noundef %1709, ptr noundef %1714, ptr noundef %1448) #10, !noalias !15
-  %1715 = icmp sgt i64 %1712, 0
-  br i1 %1715, label %1716, label %1720
+1727:                                             ; preds = %1715, %1727
+  %1728 = phi i64 [ 0, %1715 ], [ %1733, %1727 ]
+  %1729 = phi double [ 0.000000e+00, %1715 ], [ %1732, %1727 ]
+  %1730 = getelementptr inbounds double, ptr %6, i64 %1728
+  %1731 = load double, ptr %1730, align 8, !noalias !16
+  %1732 = fadd double %1729, %1731
+  %1733 = add nuw nsw i64 %1728, 1
+  %1734 = icmp eq i64 %1733, 8
+  br i1 %1734, label %1718, label %1727, !llvm.loop !49
 
-1716:                                             ; preds = %1708
-  %1717 = load ptr, ptr %159, align 8, !noalias !15
-  %1718 = load ptr, ptr %157, align 8, !noalias !15
-  %1719 = getelementptr inbounds double, ptr %1448, i64 %1709
-  tail call fastcc void @real_solve_columns(ptr noundef %1717, i64 noundef %1709, ptr noundef %1718, ptr noundef %1719, i64 noundef %1712) #10, !noalias !15
-  br label %1720
+1735:                                             ; preds = %1626, %1718
+  %1736 = phi double [ %1726, %1718 ], [ %1631, %1626 ]
+  %1737 = fcmp olt double %1736, 1.000000e+00
+  %1738 = zext i1 %1737 to i64
+  %1739 = xor i64 %1738, -1
+  %1740 = and i64 %1552, %1739
+  %1741 = and i64 %1740, %1468
+  %1742 = and i64 %1468, %1738
+  %1743 = icmp eq i64 %1741, 0
+  br i1 %1743, label %2013, label %1744
 
-1720:                                             ; preds = %1708, %1716
-  %1721 = load ptr, ptr %81, align 8, !noalias !15
-  %1722 = getelementptr inbounds i8, ptr %1721, i64 24
-  %1723 = load i64, ptr %1722, align 8, !noalias !15
-  %1724 = load ptr, ptr %160, align 8, !noalias !15
-  call fastcc void @norm_to(ptr noundef nonnull %9, ptr noundef %1448, ptr noundef %1724, ptr noundef nonnull %82, i64 noundef %1723) #10, !noalias !15
-  %1725 = load double, ptr %9, align 8, !noalias !15
-  %1726 = getelementptr inbounds i8, ptr %1721, i64 8
-  %1727 = load i64, ptr %1726, align 8, !noalias !15
-  %1728 = add nsw i64 %1727, -3
-  %1729 = getelementptr i8, ptr %1724, i64 8
-  %1730 = getelementptr i8, ptr %1724, i64 16
-  %1731 = getelementptr i8, ptr %1724, i64 24
-  %1732 = icmp slt i64 %1723, %1728
-  br i1 %1732, label %1740, label %1733
+1744:                                             ; preds = %1735
+  %1745 = icmp sgt i64 %1555, 0
+  br i1 %1745, label %1805, label %1771
 
-1733:                                             ; preds = %1740, %1720
-  %1734 = phi double [ 0.000000e+00, %1720 ], [ %1749, %1740 ]
-  %1735 = phi double [ 0.000000e+00, %1720 ], [ %1753, %1740 ]
-  %1736 = phi double [ 0.000000e+00, %1720 ], [ %1757, %1740 ]
-  %1737 = phi double [ 0.000000e+00, %1720 ], [ %1761, %1740 ]
-  %1738 = phi i64 [ %1723, %1720 ], [ %1762, %1740 ]
-  %1739 = icmp slt i64 %1738, %1727
-  br i1 %1739, label %1764, label %1773
+1746:                                             ; preds = %1559, %1746
+  %1747 = phi i64 [ 0, %1559 ], [ %1769, %1746 ]
+  %1748 = load ptr, ptr %237, align 8, !noalias !16
+  %1749 = getelementptr inbounds double, ptr %1748, i64 %1747
+  %1750 = load double, ptr %1749, align 8, !noalias !16
+  %1751 = fmul double %1750, 0x402418FD8BAFFE05
+  %1752 = getelementptr double, ptr %1748, i64 %1555
+  %1753 = getelementptr double, ptr %1752, i64 %1747
+  %1754 = load double, ptr %1753, align 8, !noalias !16
+  %1755 = fmul double %1754, 0x3FF61D41B2D54580
+  %1756 = fsub double %1755, %1751
+  %1757 = getelementptr i8, ptr %1748, i64 %1560
+  %1758 = getelementptr double, ptr %1757, i64 %1747
+  %1759 = load double, ptr %1758, align 8, !noalias !16
+  %1760 = fmul double %1759, 0x3FD5555555555555
+  %1761 = fsub double %1756, %1760
+  %1762 = fdiv double %1761, %644
+  %1763 = getelementptr inbounds double, ptr %1556, i64 %1747
+  store double %1762, ptr %1763, align 8, !noalias !16
+  %1764 = load ptr, ptr %265, align 8, !noalias !16
+  %1765 = getelementptr inbounds double, ptr %1764, i64 %1747
+  %1766 = load double, ptr %1765, align 8, !noalias !16
+  %1767 = fadd double %1766, %1762
+  %1768 = getelementptr inbounds double, ptr %1557, i64 %1747
+  store double %1767, ptr %1768, align 8, !noalias !16
+  %1769 = add nuw nsw i64 %1747, 1
+  %1770 = icmp eq i64 %1769, %1555
+  br i1 %1770, label %1561, label %1746, !llvm.loop !50
 
-1740:                                             ; preds = %1720, %1740
-  %1741 = phi i64 [ %1762, %1740 ], [ %1723, %1720 ]
-  %1742 = phi double [ %1761, %1740 ], [ 0.000000e+00, %1720 ]
-  %1743 = phi double [ %1757, %1740 ], [ 0.000000e+00, %1720 ]
-  %1744 = phi double [ %1753, %1740 ], [ 0.000000e+00, %1720 ]
-  %1745 = phi double [ %1749, %1740 ], [ 0.000000e+00, %1720 ]
-  %1746 = getelementptr inbounds double, ptr %1724, i64 %1741
-  %1747 = load double, ptr %1746, align 8, !noalias !15
-  %1748 = fmul double %1747, 0.000000e+00
-  %1749 = fadd double %1745, %1748
-  %1750 = getelementptr double, ptr %1729, i64 %1741
-  %1751 = load double, ptr %1750, align 8, !noalias !15
-  %1752 = fmul double %1751, 0.000000e+00
-  %1753 = fadd double %1744, %1752
-  %1754 = getelementptr double, ptr %1730, i64 %1741
-  %1755 = load double, ptr %1754, align 8, !noalias !15
-  %1756 = fmul double %1755, 0.000000e+00
-  %1757 = fadd double %1743, %1756
-  %1758 = getelementptr double, ptr %1731, i64 %1741
-  %1759 = load double, ptr %1758, align 8, !noalias !15
-  %1760 = fmul double %1759, 0.000000e+00
-  %1761 = fadd double %1742, %1760
-  %1762 = add nsw i64 %1741, 4
-  %1763 = icmp slt i64 %1762, %1728
-  br i1 %1763, label %1740, label %1733, !llvm.loop !44
+1771:                                             ; preds = %1805, %1744
+  %1772 = and i64 %1741, 4294967295
+  %1773 = icmp eq i64 %1772, 0
+  %1774 = select i1 %1773, double 0.000000e+00, double 1.000000e+00
+  %1775 = fadd double %1469, %1774
+  %1776 = load ptr, ptr %273, align 8, !noalias !16
+  %1777 = load ptr, ptr %274, align 8, !noalias !16
+  %1778 = load ptr, ptr %275, align 8, !noalias !16
+  store double %567, ptr %1778, align 8, !noalias !16
+  %1779 = load ptr, ptr %190, align 8, !noalias !16
+  %1780 = getelementptr inbounds i8, ptr %1779, i64 40
+  %1781 = load i64, ptr %1780, align 8, !noalias !16
+  %1782 = icmp eq i64 %1781, 0
+  br i1 %1782, label %1784, label %1783
 
-1764:                                             ; preds = %1733, %1764
-  %1765 = phi i64 [ %1771, %1764 ], [ %1738, %1733 ]
-  %1766 = phi double [ %1770, %1764 ], [ %1734, %1733 ]
-  %1767 = getelementptr inbounds double, ptr %1724, i64 %1765
-  %1768 = load double, ptr %1767, align 8, !noalias !15
-  %1769 = fmul double %1768, 0.000000e+00
-  %1770 = fadd double %1766, %1769
-  %1771 = add nsw i64 %1765, 1
-  %1772 = icmp eq i64 %1771, %1727
-  br i1 %1772, label %1773, label %1764, !llvm.loop !45
+1783:                                             ; preds = %1771
+  tail call fastcc void @settle(ptr noundef nonnull %190) #11, !noalias !16
+  br label %1784
 
-1773:                                             ; preds = %1764, %1733
-  %1774 = phi double [ %1734, %1733 ], [ %1770, %1764 ]
-  %1775 = fadd double %1735, %1774
-  %1776 = fadd double %1736, %1737
-  %1777 = fadd double %1776, %1775
-  %1778 = fadd double %1725, %1777
-  %1779 = getelementptr inbounds i8, ptr %1721, i64 48
-  %1780 = load i64, ptr %1779, align 8, !noalias !15
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(64) %4, i8 0, i64 64, i1 false), !noalias !15
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(64) %5, i8 0, i64 64, i1 false), !noalias !15
-  %1781 = icmp eq i64 %1780, 0
-  br i1 %1781, label %1882, label %1782
+1784:                                             ; preds = %1783, %1771
+  %1785 = load i64, ptr %276, align 8, !noalias !16
+  %1786 = icmp sgt i64 %1785, 0
+  br i1 %1786, label %1787, label %1788
 
-1782:                                             ; preds = %1773
-  %1783 = add nsw i64 %1723, 7
-  %1784 = sdiv i64 %1783, 8
-  %1785 = shl nsw i64 %1784, 3
-  %1786 = tail call i64 @llvm.smin.i64(i64 %1785, i64 %1780)
-  %1787 = icmp slt i64 %1723, %1786
-  br i1 %1787, label %1788, label %1822
+1787:                                             ; preds = %1784
+  tail call fastcc void @sample(ptr noundef nonnull %190) #11, !noalias !16
+  br label %1788
 
-1788:                                             ; preds = %1782
-  %1789 = load ptr, ptr %82, align 8, !noalias !15
-  %1790 = load ptr, ptr %170, align 8, !noalias !15
-  %1791 = load ptr, ptr %88, align 8, !noalias !15
-  br label %1792
+1788:                                             ; preds = %1787, %1784
+  %1789 = load ptr, ptr %190, align 8, !noalias !16
+  %1790 = load i64, ptr %1789, align 8, !noalias !16
+  %1791 = load ptr, ptr %275, align 8, !noalias !16
+  %1792 = load ptr, ptr %277, align 8, !noalias !16
+  %1793 = load ptr, ptr %278, align 8, !noalias !16
+  %1794 = inttoptr i64 %1790 to ptr
+  %1795 = load ptr, ptr %1794, align 8, !noalias !16
+  %1796 = tail call i32 %1795(ptr noundef %1791, ptr noundef %1776, ptr noundef %1792, ptr noundef %1793, ptr noundef %1777) #10, !noalias !16
+  %1797 = sext i32 %1796 to i64
+  %1798 = icmp slt i32 %1796, 0
+  %1799 = select i1 %1798, i64 %1797, i64 %1466
+  %1800 = trunc i64 %1741 to i32
+  %1801 = and i32 %1796, %1800
+  %1802 = icmp eq i32 %1801, 0
+  %1803 = select i1 %1802, double %1543, double 3.000000e+00
+  %1804 = icmp sgt i64 %1555, 0
+  br i1 %1804, label %2002, label %1817
 
-1792:                                             ; preds = %1788, %1792
-  %1793 = phi i64 [ %1723, %1788 ], [ %1820, %1792 ]
-  %1794 = getelementptr inbounds double, ptr %1789, i64 %1793
-  %1795 = load double, ptr %1794, align 8, !noalias !15
-  %1796 = tail call double @llvm.fabs.f64(double %1795)
-  %1797 = getelementptr inbounds double, ptr %1724, i64 %1793
-  %1798 = load double, ptr %1797, align 8, !noalias !15
-  %1799 = tail call double @llvm.fabs.f64(double %1798)
-  %1800 = fcmp ogt double %1796, %1799
-  %1801 = select i1 %1800, double %1796, double %1799
-  %1802 = getelementptr inbounds double, ptr %1790, i64 %1793
-  %1803 = load double, ptr %1802, align 8, !noalias !15
-  %1804 = getelementptr inbounds double, ptr %1791, i64 %1793
-  %1805 = load double, ptr %1804, align 8, !noalias !15
-  %1806 = fmul double %1801, %1805
-  %1807 = fadd double %1803, %1806
-  %1808 = fdiv double 1.000000e+00, %1807
-  %1809 = getelementptr inbounds double, ptr %1448, i64 %1793
-  %1810 = load double, ptr %1809, align 8, !noalias !15
-  %1811 = fmul double %1810, %1808
-  %1812 = srem i64 %1793, 8
-  %1813 = getelementptr inbounds double, ptr %4, i64 %1812
-  %1814 = load double, ptr %1813, align 8, !noalias !15
-  %1815 = fmul double %1811, %1811
-  %1816 = fadd double %1814, %1815
-  store double %1816, ptr %1813, align 8, !noalias !15
-  %1817 = getelementptr inbounds double, ptr %5, i64 %1812
-  %1818 = load double, ptr %1817, align 8, !noalias !15
-  %1819 = fadd double %1818, %1815
-  store double %1819, ptr %1817, align 8, !noalias !15
-  %1820 = add nsw i64 %1793, 1
-  %1821 = icmp eq i64 %1820, %1786
-  br i1 %1821, label %1822, label %1792, !llvm.loop !46
+1805:                                             ; preds = %1744, %1805
+  %1806 = phi i64 [ %1815, %1805 ], [ 0, %1744 ]
+  %1807 = load ptr, ptr %272, align 8, !noalias !16
+  %1808 = load ptr, ptr %191, align 8, !noalias !16
+  %1809 = getelementptr inbounds double, ptr %1808, i64 %1806
+  %1810 = load double, ptr %1809, align 8, !noalias !16
+  %1811 = getelementptr inbounds double, ptr %1557, i64 %1806
+  %1812 = load double, ptr %1811, align 8, !noalias !16
+  %1813 = fadd double %1810, %1812
+  %1814 = getelementptr inbounds double, ptr %1807, i64 %1806
+  store double %1813, ptr %1814, align 8, !noalias !16
+  %1815 = add nuw nsw i64 %1806, 1
+  %1816 = icmp eq i64 %1815, %1555
+  br i1 %1816, label %1771, label %1805, !llvm.loop !51
 
-1822:                                             ; preds = %1792, %1782
-  %1823 = phi i64 [ %1723, %1782 ], [ %1820, %1792 ]
-  %1824 = load <8 x double>, ptr %4, align 16, !noalias !15
-  %1825 = load <8 x double>, ptr %5, align 16, !noalias !15
-  %1826 = icmp slt i64 %1823, %1780
-  br i1 %1826, label %1827, label %1862
+1817:                                             ; preds = %2002, %1788
+  %1818 = load i64, ptr %267, align 8, !noalias !16
+  %1819 = load ptr, ptr %192, align 8, !noalias !16
+  %1820 = getelementptr inbounds i8, ptr %1819, i64 40
+  %1821 = load i64, ptr %1820, align 8, !noalias !16
+  %1822 = load ptr, ptr %268, align 8, !noalias !16
+  %1823 = load ptr, ptr %266, align 8, !noalias !16
+  tail call fastcc void @real_solve(ptr noundef %1822, i64 noundef %1818, ptr noundef %1823, ptr noundef %1557) #11, !noalias !16
+  %1824 = icmp sgt i64 %1821, 0
+  br i1 %1824, label %1825, label %1829
 
-1827:                                             ; preds = %1822
-  %1828 = load ptr, ptr %82, align 8, !noalias !15
-  %1829 = load ptr, ptr %171, align 8, !noalias !15
-  %1830 = load ptr, ptr %88, align 8, !noalias !15
-  br label %1831
+1825:                                             ; preds = %1817
+  %1826 = load ptr, ptr %268, align 8, !noalias !16
+  %1827 = load ptr, ptr %266, align 8, !noalias !16
+  %1828 = getelementptr inbounds double, ptr %1557, i64 %1818
+  tail call fastcc void @real_solve_columns(ptr noundef %1826, i64 noundef %1818, ptr noundef %1827, ptr noundef %1828, i64 noundef %1821) #11, !noalias !16
+  br label %1829
 
-1831:                                             ; preds = %1827, %1831
-  %1832 = phi i64 [ %1823, %1827 ], [ %1860, %1831 ]
-  %1833 = phi <8 x double> [ %1824, %1827 ], [ %1858, %1831 ]
-  %1834 = phi <8 x double> [ %1825, %1827 ], [ %1859, %1831 ]
-  %1835 = getelementptr inbounds double, ptr %1828, i64 %1832
-  %1836 = load <8 x double>, ptr %1835, align 8, !noalias !15
-  %1837 = fneg <8 x double> %1836
-  %1838 = fcmp ogt <8 x double> %1836, zeroinitializer
-  %1839 = select <8 x i1> %1838, <8 x double> %1836, <8 x double> %1837
-  %1840 = getelementptr inbounds double, ptr %1724, i64 %1832
-  %1841 = load <8 x double>, ptr %1840, align 8, !noalias !15
-  %1842 = fneg <8 x double> %1841
-  %1843 = fcmp ogt <8 x double> %1841, zeroinitializer
-  %1844 = select <8 x i1> %1843, <8 x double> %1841, <8 x double> %1842
-  %1845 = fcmp ogt <8 x double> %1839, %1844
-  %1846 = select <8 x i1> %1845, <8 x double> %1839, <8 x double> %1844
-  %1847 = getelementptr inbounds double, ptr %1829, i64 %1832
-  %1848 = load <8 x double>, ptr %1847, align 8, !noalias !15
-  %1849 = getelementptr inbounds double, ptr %1830, i64 %1832
-  %1850 = load <8 x double>, ptr %1849, align 8, !noalias !15
-  %1851 = fmul <8 x double> %1850, %1846
-  %1852 = fadd <8 x double> %1848, %1851
-  %1853 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %1852
-  %1854 = getelementptr inbounds double, ptr %1448, i64 %1832
-  %1855 = load <8 x double>, ptr %1854, align 8, !noalias !15
-  %1856 = fmul <8 x double> %1855, %1853
-  %1857 = fmul <8 x double> %1856, %1856
-  %1858 = fadd <8 x double> %1833, %1857
-  %1859 = fadd <8 x double> %1834, %1857
-  %1860 = add nsw i64 %1832, 8
-  %1861 = icmp slt i64 %1860, %1780
-  br i1 %1861, label %1831, label %1862, !llvm.loop !47
+1829:                                             ; preds = %1817, %1825
+  %1830 = load ptr, ptr %190, align 8, !noalias !16
+  %1831 = getelementptr inbounds i8, ptr %1830, i64 24
+  %1832 = load i64, ptr %1831, align 8, !noalias !16
+  %1833 = load ptr, ptr %269, align 8, !noalias !16
+  call fastcc void @norm_to(ptr noundef nonnull %9, ptr noundef %1557, ptr noundef %1833, ptr noundef nonnull %191, i64 noundef %1832) #11, !noalias !16
+  %1834 = load double, ptr %9, align 8, !noalias !16
+  %1835 = getelementptr inbounds i8, ptr %1830, i64 8
+  %1836 = load i64, ptr %1835, align 8, !noalias !16
+  %1837 = add nsw i64 %1836, -3
+  %1838 = getelementptr i8, ptr %1833, i64 8
+  %1839 = getelementptr i8, ptr %1833, i64 16
+  %1840 = getelementptr i8, ptr %1833, i64 24
+  %1841 = icmp slt i64 %1832, %1837
+  br i1 %1841, label %1849, label %1842
 
-1862:                                             ; preds = %1831, %1822
-  %1863 = phi <8 x double> [ %1825, %1822 ], [ %1859, %1831 ]
-  %1864 = phi <8 x double> [ %1824, %1822 ], [ %1858, %1831 ]
-  store <8 x double> %1864, ptr %4, align 16, !noalias !15
-  store <8 x double> %1863, ptr %5, align 16, !noalias !15
-  br label %1874
+1842:                                             ; preds = %1849, %1829
+  %1843 = phi double [ 0.000000e+00, %1829 ], [ %1858, %1849 ]
+  %1844 = phi double [ 0.000000e+00, %1829 ], [ %1862, %1849 ]
+  %1845 = phi double [ 0.000000e+00, %1829 ], [ %1866, %1849 ]
+  %1846 = phi double [ 0.000000e+00, %1829 ], [ %1870, %1849 ]
+  %1847 = phi i64 [ %1832, %1829 ], [ %1871, %1849 ]
+  %1848 = icmp slt i64 %1847, %1836
+  br i1 %1848, label %1873, label %1882
 
-1865:                                             ; preds = %1874
-  %1866 = sub nsw i64 %1780, %1723
-  %1867 = sitofp i64 %1866 to double
-  %1868 = fdiv double %1879, %1867
-  %1869 = tail call double @llvm.sqrt.f64(double %1868)
-  %1870 = fcmp ule double %535, %239
-  %1871 = fcmp ogt double %1869, %1778
-  %1872 = select i1 %1871, double %1869, double %1778
-  %1873 = select i1 %1870, double %1778, double %1872
-  br label %1882
+1849:                                             ; preds = %1829, %1849
+  %1850 = phi i64 [ %1871, %1849 ], [ %1832, %1829 ]
+  %1851 = phi double [ %1870, %1849 ], [ 0.000000e+00, %1829 ]
+  %1852 = phi double [ %1866, %1849 ], [ 0.000000e+00, %1829 ]
+  %1853 = phi double [ %1862, %1849 ], [ 0.000000e+00, %1829 ]
+  %1854 = phi double [ %1858, %1849 ], [ 0.000000e+00, %1829 ]
+  %1855 = getelementptr inbounds double, ptr %1833, i64 %1850
+  %1856 = load double, ptr %1855, align 8, !noalias !16
+  %1857 = fmul double %1856, 0.000000e+00
+  %1858 = fadd double %1854, %1857
+  %1859 = getelementptr double, ptr %1838, i64 %1850
+  %1860 = load double, ptr %1859, align 8, !noalias !16
+  %1861 = fmul double %1860, 0.000000e+00
+  %1862 = fadd double %1853, %1861
+  %1863 = getelementptr double, ptr %1839, i64 %1850
+  %1864 = load double, ptr %1863, align 8, !noalias !16
+  %1865 = fmul double %1864, 0.000000e+00
+  %1866 = fadd double %1852, %1865
+  %1867 = getelementptr double, ptr %1840, i64 %1850
+  %1868 = load double, ptr %1867, align 8, !noalias !16
+  %1869 = fmul double %1868, 0.000000e+00
+  %1870 = fadd double %1851, %1869
+  %1871 = add nsw i64 %1850, 4
+  %1872 = icmp slt i64 %1871, %1837
+  br i1 %1872, label %1849, label %1842, !llvm.loop !45
 
-1874:                                             ; preds = %1862, %1874
-  %1875 = phi i64 [ 0, %1862 ], [ %1880, %1874 ]
-  %1876 = phi double [ 0.000000e+00, %1862 ], [ %1879, %1874 ]
-  %1877 = getelementptr inbounds double, ptr %4, i64 %1875
-  %1878 = load double, ptr %1877, align 8, !noalias !15
-  %1879 = fadd double %1876, %1878
-  %1880 = add nuw nsw i64 %1875, 1
-  %1881 = icmp eq i64 %1880, 8
-  br i1 %1881, label %1865, label %1874, !llvm.loop !48
+1873:                                             ; preds = %1842, %1873
+  %1874 = phi i64 [ %1880, %1873 ], [ %1847, %1842 ]
+  %1875 = phi double [ %1879, %1873 ], [ %1843, %1842 ]
+  %1876 = getelementptr inbounds double, ptr %1833, i64 %1874
+  %1877 = load double, ptr %1876, align 8, !noalias !16
+  %1878 = fmul double %1877, 0.000000e+00
+  %1879 = fadd double %1875, %1878
+  %1880 = add nsw i64 %1874, 1
+  %1881 = icmp eq i64 %1880, %1836
+  br i1 %1881, label %1882, label %1873, !llvm.loop !46
 
-1882:                                             ; preds = %1773, %1865
-  %1883 = phi double [ %1873, %1865 ], [ %1778, %1773 ]
-  %1884 = xor i64 %1688, -1
-  %1885 = and i64 %1632, %1884
-  %1886 = fcmp olt double %1883, 1.000000e+00
-  %1887 = and i64 %1885, 1
-  %1888 = select i1 %1886, i64 %1887, i64 0
-  %1889 = or i64 %1888, %1633
-  %1890 = and i64 %1885, 4294967295
-  %1891 = icmp eq i64 %1890, 0
-  %1892 = select i1 %1891, double %1627, double %1883
-  br label %1904
+1882:                                             ; preds = %1873, %1842
+  %1883 = phi double [ %1843, %1842 ], [ %1879, %1873 ]
+  %1884 = fadd double %1844, %1883
+  %1885 = fadd double %1845, %1846
+  %1886 = fadd double %1885, %1884
+  %1887 = fadd double %1834, %1886
+  %1888 = getelementptr inbounds i8, ptr %1830, i64 48
+  %1889 = load i64, ptr %1888, align 8, !noalias !16
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(64) %4, i8 0, i64 64, i1 false), !noalias !16
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(64) %5, i8 0, i64 64, i1 false), !noalias !16
+  %1890 = icmp eq i64 %1889, 0
+  br i1 %1890, label %1991, label %1891
 
-1893:                                             ; preds = %1679, %1893
-  %1894 = phi i64 [ %1902, %1893 ], [ 0, %1679 ]
-  %1895 = load ptr, ptr %165, align 8, !noalias !15
-  %1896 = getelementptr inbounds double, ptr %1895, i64 %1894
-  %1897 = load double, ptr %1896, align 8, !noalias !15
-  %1898 = getelementptr inbounds double, ptr %1447, i64 %1894
-  %1899 = load double, ptr %1898, align 8, !noalias !15
-  %1900 = fadd double %1897, %1899
-  %1901 = getelementptr inbounds double, ptr %1448, i64 %1894
-  store double %1900, ptr %1901, align 8, !noalias !15
-  %1902 = add nuw nsw i64 %1894, 1
-  %1903 = icmp eq i64 %1902, %1446
-  br i1 %1903, label %1708, label %1893, !llvm.loop !51
+1891:                                             ; preds = %1882
+  %1892 = add nsw i64 %1832, 7
+  %1893 = sdiv i64 %1892, 8
+  %1894 = shl nsw i64 %1893, 3
+  %1895 = tail call i64 @llvm.smin.i64(i64 %1894, i64 %1889)
+  %1896 = icmp slt i64 %1832, %1895
+  br i1 %1896, label %1897, label %1931
 
-1904:                                             ; preds = %1626, %1882
-  %1905 = phi double [ %1360, %1626 ], [ %1666, %1882 ]
-  %1906 = phi i64 [ %1357, %1626 ], [ %1690, %1882 ]
-  %1907 = phi i64 [ %1633, %1626 ], [ %1889, %1882 ]
-  %1908 = phi double [ %1434, %1626 ], [ %1694, %1882 ]
-  %1909 = phi double [ %1627, %1626 ], [ %1892, %1882 ]
-  %1910 = fcmp olt double %1909, 1.000000e-10
-  %1911 = select i1 %1910, double 1.000000e-10, double %1909
-  %1912 = load ptr, ptr %120, align 8, !noalias !15
-  %1913 = getelementptr inbounds i8, ptr %1912, i64 24
-  %1914 = load double, ptr %1913, align 8, !noalias !15
-  %1915 = fadd double %1356, 1.200000e+01
-  %1916 = fdiv double 0x4027666666666667, %1915
-  %1917 = tail call double @llvm.sqrt.f64(double %1911)
-  %1918 = tail call double @llvm.sqrt.f64(double %1917)
-  %1919 = fdiv double 1.000000e+00, %1918
-  %1920 = fmul double %1916, %1919
-  %1921 = fcmp ogt double %1920, 2.000000e-01
-  %1922 = select i1 %1921, double %1920, double 2.000000e-01
-  %1923 = tail call double @llvm.fabs.f64(double %1909)
-  %1924 = fcmp ueq double %1923, 0x7FF0000000000000
-  %1925 = select i1 %1924, double 2.500000e-01, double %1922
-  %1926 = fmul double %535, %1925
-  %1927 = getelementptr inbounds i8, ptr %1912, i64 16
-  %1928 = load double, ptr %1927, align 8, !noalias !15
-  %1929 = fdiv double %535, %1928
-  %1930 = fdiv double %1914, %1911
-  %1931 = tail call double @llvm.sqrt.f64(double %1930)
-  %1932 = tail call double @llvm.sqrt.f64(double %1931)
-  %1933 = fmul double %1929, %1932
-  %1934 = fcmp ule double %1914, 0.000000e+00
-  %1935 = fcmp olt double %1933, 1.000000e+00
-  %1936 = select i1 %1935, double %1933, double 1.000000e+00
-  %1937 = select i1 %1934, double 1.000000e+00, double %1936
-  %1938 = fmul double %1920, %1937
-  %1939 = fcmp olt double %1938, 1.000000e+01
-  %1940 = select i1 %1939, double %1938, double 1.000000e+01
-  %1941 = fcmp ule double %1940, 1.000000e+00
-  %1942 = fcmp uge double %1940, 1.200000e+00
-  %1943 = or i1 %1941, %1942
-  %1944 = select i1 %1943, i1 true, i1 %1363
-  %1945 = load double, ptr %1912, align 8, !noalias !15
-  %1946 = fcmp ogt double %1940, 2.000000e-01
-  %1947 = select i1 %1946, double %1940, double 2.000000e-01
-  %1948 = fmul double %535, %1947
-  %1949 = select i1 %1944, double %1948, double %1945
-  %1950 = icmp eq i64 %1907, 0
-  %1951 = select i1 %1950, double %1926, double %1949
-  %1952 = and i64 %1359, 4294967295
-  %1953 = icmp eq i64 %1952, 0
-  %1954 = select i1 %1953, double %1433, double %1951
-  %1955 = xor i64 %1907, -1
-  %1956 = and i64 %1359, %1955
-  %1957 = load ptr, ptr %83, align 8, !noalias !15
-  %1958 = getelementptr inbounds i8, ptr %1957, i64 32
-  %1959 = load i64, ptr %1958, align 8, !noalias !15
-  %1960 = or i64 %1959, %1956
-  store i64 %1960, ptr %1958, align 8, !noalias !15
-  %1961 = load ptr, ptr %83, align 8, !noalias !15
-  %1962 = getelementptr inbounds i8, ptr %1961, i64 8
-  %1963 = load i64, ptr %1962, align 8, !noalias !15
-  %1964 = xor i64 %1956, -1
-  %1965 = and i64 %1963, %1964
-  %1966 = getelementptr inbounds i8, ptr %1961, i64 16
-  %1967 = load i64, ptr %1966, align 8, !noalias !15
-  %1968 = xor i64 %1967, -1
-  %1969 = and i64 %1956, %1968
-  %1970 = or disjoint i64 %1969, %1965
-  store i64 %1970, ptr %1962, align 8, !noalias !15
-  br label %1985
+1897:                                             ; preds = %1891
+  %1898 = load ptr, ptr %191, align 8, !noalias !16
+  %1899 = load ptr, ptr %279, align 8, !noalias !16
+  %1900 = load ptr, ptr %197, align 8, !noalias !16
+  br label %1901
 
-1971:                                             ; preds = %1440, %1971
-  %1972 = phi i64 [ 0, %1440 ], [ %1983, %1971 ]
-  %1973 = load ptr, ptr %153, align 8, !noalias !15
-  %1974 = load ptr, ptr %82, align 8, !noalias !15
-  %1975 = getelementptr inbounds double, ptr %1974, i64 %1972
-  %1976 = load double, ptr %1975, align 8, !noalias !15
-  %1977 = load ptr, ptr %128, align 8, !noalias !15
-  %1978 = getelementptr i8, ptr %1977, i64 %1441
-  %1979 = getelementptr double, ptr %1978, i64 %1972
-  %1980 = load double, ptr %1979, align 8, !noalias !15
-  %1981 = fadd double %1976, %1980
-  %1982 = getelementptr inbounds double, ptr %1973, i64 %1972
-  store double %1981, ptr %1982, align 8, !noalias !15
-  %1983 = add nuw nsw i64 %1972, 1
-  %1984 = icmp eq i64 %1983, %545
-  br i1 %1984, label %1442, label %1971, !llvm.loop !52
+1901:                                             ; preds = %1897, %1901
+  %1902 = phi i64 [ %1832, %1897 ], [ %1929, %1901 ]
+  %1903 = getelementptr inbounds double, ptr %1898, i64 %1902
+  %1904 = load double, ptr %1903, align 8, !noalias !16
+  %1905 = tail call double @llvm.fabs.f64(double %1904)
+  %1906 = getelementptr inbounds double, ptr %1833, i64 %1902
+  %1907 = load double, ptr %1906, align 8, !noalias !16
+  %1908 = tail call double @llvm.fabs.f64(double %1907)
+  %1909 = fcmp ogt double %1905, %1908
+  %1910 = select i1 %1909, double %1905, double %1908
+  %1911 = getelementptr inbounds double, ptr %1899, i64 %1902
+  %1912 = load double, ptr %1911, align 8, !noalias !16
+  %1913 = getelementptr inbounds double, ptr %1900, i64 %1902
+  %1914 = load double, ptr %1913, align 8, !noalias !16
+  %1915 = fmul double %1910, %1914
+  %1916 = fadd double %1912, %1915
+  %1917 = fdiv double 1.000000e+00, %1916
+  %1918 = getelementptr inbounds double, ptr %1557, i64 %1902
+  %1919 = load double, ptr %1918, align 8, !noalias !16
+  %1920 = fmul double %1919, %1917
+  %1921 = srem i64 %1902, 8
+  %1922 = getelementptr inbounds double, ptr %4, i64 %1921
+  %1923 = load double, ptr %1922, align 8, !noalias !16
+  %1924 = fmul double %1920, %1920
+  %1925 = fadd double %1923, %1924
+  store double %1925, ptr %1922, align 8, !noalias !16
+  %1926 = getelementptr inbounds double, ptr %5, i64 %1921
+  %1927 = load double, ptr %1926, align 8, !noalias !16
+  %1928 = fadd double %1927, %1924
+  store double %1928, ptr %1926, align 8, !noalias !16
+  %1929 = add nsw i64 %1902, 1
+  %1930 = icmp eq i64 %1929, %1895
+  br i1 %1930, label %1931, label %1901, !llvm.loop !47
 
-1985:                                             ; preds = %1904, %1432, %761, %674
-  %1986 = phi double [ %465, %674 ], [ %465, %761 ], [ %1354, %1432 ], [ %1354, %1904 ]
-  %1987 = phi double [ %464, %674 ], [ %464, %761 ], [ %1355, %1432 ], [ %1355, %1904 ]
-  %1988 = phi double [ %463, %674 ], [ %463, %761 ], [ %1356, %1432 ], [ %1356, %1904 ]
-  %1989 = phi i64 [ %462, %674 ], [ %462, %761 ], [ %1357, %1432 ], [ %1357, %1904 ]
-  %1990 = phi i64 [ %461, %674 ], [ %461, %761 ], [ %1358, %1432 ], [ %1358, %1904 ]
-  %1991 = phi i64 [ %460, %674 ], [ %460, %761 ], [ %1359, %1432 ], [ %1359, %1904 ]
-  %1992 = phi i1 [ false, %674 ], [ false, %761 ], [ %1363, %1432 ], [ %1363, %1904 ]
-  %1993 = phi double [ 2.000000e+00, %674 ], [ %763, %761 ], [ %1434, %1432 ], [ %1908, %1904 ]
-  %1994 = phi double [ 0.000000e+00, %674 ], [ 0.000000e+00, %761 ], [ 0.000000e+00, %1432 ], [ %1909, %1904 ]
-  %1995 = phi double [ %459, %674 ], [ %762, %761 ], [ %1433, %1432 ], [ %1954, %1904 ]
-  %1996 = phi double [ %657, %674 ], [ %686, %761 ], [ %1360, %1432 ], [ %1905, %1904 ]
-  %1997 = phi i64 [ 0, %674 ], [ %700, %761 ], [ %700, %1432 ], [ %700, %1904 ]
-  %1998 = phi i64 [ 1, %674 ], [ 0, %761 ], [ %1357, %1432 ], [ %1906, %1904 ]
-  %1999 = phi i64 [ 0, %674 ], [ 0, %761 ], [ 0, %1432 ], [ %1907, %1904 ]
-  %2000 = zext i1 %1992 to i64
-  %2001 = fptosi double %1996 to i64
-  %2002 = load i64, ptr %436, align 8
-  %2003 = add nsw i64 %2002, %2001
-  store i64 %2003, ptr %436, align 8
-  %2004 = load i64, ptr %437, align 8
-  %2005 = add nsw i64 %2004, %549
-  store i64 %2005, ptr %437, align 8
-  %2006 = load i64, ptr %438, align 8
-  %2007 = add nsw i64 %2006, %1997
-  store i64 %2007, ptr %438, align 8
-  %2008 = icmp eq i64 %1998, 0
-  br i1 %2008, label %2009, label %2637
+1931:                                             ; preds = %1901, %1891
+  %1932 = phi i64 [ %1832, %1891 ], [ %1929, %1901 ]
+  %1933 = load <8 x double>, ptr %4, align 16, !noalias !16
+  %1934 = load <8 x double>, ptr %5, align 16, !noalias !16
+  %1935 = icmp slt i64 %1932, %1889
+  br i1 %1935, label %1936, label %1971
 
-2009:                                             ; preds = %1985
-  %2010 = icmp eq i64 %1999, 0
-  br i1 %2010, label %2011, label %2035
+1936:                                             ; preds = %1931
+  %1937 = load ptr, ptr %191, align 8, !noalias !16
+  %1938 = load ptr, ptr %280, align 8, !noalias !16
+  %1939 = load ptr, ptr %197, align 8, !noalias !16
+  br label %1940
 
-2011:                                             ; preds = %2009
-  %2012 = load i64, ptr %423, align 8
-  %2013 = add nsw i64 %2012, 1
-  store i64 %2013, ptr %423, align 8
-  %2014 = fptosi double %1993 to i64
-  store i64 %2014, ptr %446, align 8
-  %2015 = fcmp ult double %1994, 1.000000e+00
-  %2016 = fcmp ueq double %1994, 0x7FF0000000000000
-  %2017 = or i1 %2015, %2016
-  br i1 %2017, label %2637, label %2018, !llvm.loop !53
+1940:                                             ; preds = %1936, %1940
+  %1941 = phi i64 [ %1932, %1936 ], [ %1969, %1940 ]
+  %1942 = phi <8 x double> [ %1933, %1936 ], [ %1967, %1940 ]
+  %1943 = phi <8 x double> [ %1934, %1936 ], [ %1968, %1940 ]
+  %1944 = getelementptr inbounds double, ptr %1937, i64 %1941
+  %1945 = load <8 x double>, ptr %1944, align 8, !noalias !16
+  %1946 = fneg <8 x double> %1945
+  %1947 = fcmp ogt <8 x double> %1945, zeroinitializer
+  %1948 = select <8 x i1> %1947, <8 x double> %1945, <8 x double> %1946
+  %1949 = getelementptr inbounds double, ptr %1833, i64 %1941
+  %1950 = load <8 x double>, ptr %1949, align 8, !noalias !16
+  %1951 = fneg <8 x double> %1950
+  %1952 = fcmp ogt <8 x double> %1950, zeroinitializer
+  %1953 = select <8 x i1> %1952, <8 x double> %1950, <8 x double> %1951
+  %1954 = fcmp ogt <8 x double> %1948, %1953
+  %1955 = select <8 x i1> %1954, <8 x double> %1948, <8 x double> %1953
+  %1956 = getelementptr inbounds double, ptr %1938, i64 %1941
+  %1957 = load <8 x double>, ptr %1956, align 8, !noalias !16
+  %1958 = getelementptr inbounds double, ptr %1939, i64 %1941
+  %1959 = load <8 x double>, ptr %1958, align 8, !noalias !16
+  %1960 = fmul <8 x double> %1959, %1955
+  %1961 = fadd <8 x double> %1957, %1960
+  %1962 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %1961
+  %1963 = getelementptr inbounds double, ptr %1557, i64 %1941
+  %1964 = load <8 x double>, ptr %1963, align 8, !noalias !16
+  %1965 = fmul <8 x double> %1964, %1962
+  %1966 = fmul <8 x double> %1965, %1965
+  %1967 = fadd <8 x double> %1942, %1966
+  %1968 = fadd <8 x double> %1943, %1966
+  %1969 = add nsw i64 %1941, 8
+  %1970 = icmp slt i64 %1969, %1889
+  br i1 %1970, label %1940, label %1971, !llvm.loop !48
 
-2018:                                             ; preds = %2011
-  %2019 = load i64, ptr %214, align 8
-  %2020 = icmp eq i64 %2019, 0
-  br i1 %2020, label %2637, label %2021, !llvm.loop !53
+1971:                                             ; preds = %1940, %1931
+  %1972 = phi <8 x double> [ %1934, %1931 ], [ %1968, %1940 ]
+  %1973 = phi <8 x double> [ %1933, %1931 ], [ %1967, %1940 ]
+  store <8 x double> %1973, ptr %4, align 16, !noalias !16
+  store <8 x double> %1972, ptr %5, align 16, !noalias !16
+  br label %1983
 
-2021:                                             ; preds = %2018
-  %2022 = tail call fastcc double @knot_after(ptr noundef nonnull %81, double noundef %458) #10
-  %2023 = fmul double %535, 1.000000e-03
-  %2024 = fsub double %534, %2023
-  %2025 = tail call double @llvm.fabs.f64(double %534)
-  %2026 = fmul double %2025, 0x3D10000000000000
-  %2027 = fsub double %2024, %2026
-  %2028 = fcmp ogt double %2027, %2022
-  br i1 %2028, label %2029, label %2637, !llvm.loop !53
+1974:                                             ; preds = %1983
+  %1975 = sub nsw i64 %1889, %1832
+  %1976 = sitofp i64 %1975 to double
+  %1977 = fdiv double %1988, %1976
+  %1978 = tail call double @llvm.sqrt.f64(double %1977)
+  %1979 = fcmp ule double %644, %348
+  %1980 = fcmp ogt double %1978, %1887
+  %1981 = select i1 %1980, double %1978, double %1887
+  %1982 = select i1 %1979, double %1887, double %1981
+  br label %1991
 
-2029:                                             ; preds = %2021
-  %2030 = tail call fastcc double @knot_after(ptr noundef nonnull %81, double noundef %2022) #10
-  %2031 = fadd double %458, %1995
-  %2032 = fcmp ugt double %2030, %2031
-  br i1 %2032, label %2033, label %2637, !llvm.loop !53
+1983:                                             ; preds = %1971, %1983
+  %1984 = phi i64 [ 0, %1971 ], [ %1989, %1983 ]
+  %1985 = phi double [ 0.000000e+00, %1971 ], [ %1988, %1983 ]
+  %1986 = getelementptr inbounds double, ptr %4, i64 %1984
+  %1987 = load double, ptr %1986, align 8, !noalias !16
+  %1988 = fadd double %1985, %1987
+  %1989 = add nuw nsw i64 %1984, 1
+  %1990 = icmp eq i64 %1989, 8
+  br i1 %1990, label %1974, label %1983, !llvm.loop !49
 
-2033:                                             ; preds = %2029
-  %2034 = fsub double %2022, %458
-  br label %2637, !llvm.loop !53
+1991:                                             ; preds = %1882, %1974
+  %1992 = phi double [ %1982, %1974 ], [ %1887, %1882 ]
+  %1993 = xor i64 %1797, -1
+  %1994 = and i64 %1741, %1993
+  %1995 = fcmp olt double %1992, 1.000000e+00
+  %1996 = and i64 %1994, 1
+  %1997 = select i1 %1995, i64 %1996, i64 0
+  %1998 = or i64 %1997, %1742
+  %1999 = and i64 %1994, 4294967295
+  %2000 = icmp eq i64 %1999, 0
+  %2001 = select i1 %2000, double %1736, double %1992
+  br label %2013
 
-2035:                                             ; preds = %2009
-  br i1 %256, label %2036, label %2064
+2002:                                             ; preds = %1788, %2002
+  %2003 = phi i64 [ %2011, %2002 ], [ 0, %1788 ]
+  %2004 = load ptr, ptr %274, align 8, !noalias !16
+  %2005 = getelementptr inbounds double, ptr %2004, i64 %2003
+  %2006 = load double, ptr %2005, align 8, !noalias !16
+  %2007 = getelementptr inbounds double, ptr %1556, i64 %2003
+  %2008 = load double, ptr %2007, align 8, !noalias !16
+  %2009 = fadd double %2006, %2008
+  %2010 = getelementptr inbounds double, ptr %1557, i64 %2003
+  store double %2009, ptr %2010, align 8, !noalias !16
+  %2011 = add nuw nsw i64 %2003, 1
+  %2012 = icmp eq i64 %2011, %1555
+  br i1 %2012, label %1817, label %2002, !llvm.loop !52
 
-2036:                                             ; preds = %2035
-  %2037 = load ptr, ptr %172, align 8
-  %2038 = load ptr, ptr %82, align 8
-  %2039 = load ptr, ptr %89, align 8
-  %2040 = getelementptr inbounds i8, ptr %2039, i64 56
-  %2041 = load i64, ptr %2040, align 8
-  %2042 = inttoptr i64 %2041 to ptr
-  %2043 = tail call i64 %2042(ptr noundef %0, double noundef %534, ptr noundef %2037, ptr noundef %2038) #11
-  %2044 = icmp eq i64 %2043, 0
-  br i1 %2044, label %2064, label %2045
+2013:                                             ; preds = %1735, %1991
+  %2014 = phi double [ %1469, %1735 ], [ %1775, %1991 ]
+  %2015 = phi i64 [ %1466, %1735 ], [ %1799, %1991 ]
+  %2016 = phi i64 [ %1742, %1735 ], [ %1998, %1991 ]
+  %2017 = phi double [ %1543, %1735 ], [ %1803, %1991 ]
+  %2018 = phi double [ %1736, %1735 ], [ %2001, %1991 ]
+  %2019 = fcmp olt double %2018, 1.000000e-10
+  %2020 = select i1 %2019, double 1.000000e-10, double %2018
+  %2021 = load ptr, ptr %229, align 8, !noalias !16
+  %2022 = getelementptr inbounds i8, ptr %2021, i64 24
+  %2023 = load double, ptr %2022, align 8, !noalias !16
+  %2024 = fadd double %1465, 1.200000e+01
+  %2025 = fdiv double 0x4027666666666667, %2024
+  %2026 = tail call double @llvm.sqrt.f64(double %2020)
+  %2027 = tail call double @llvm.sqrt.f64(double %2026)
+  %2028 = fdiv double 1.000000e+00, %2027
+  %2029 = fmul double %2025, %2028
+  %2030 = fcmp ogt double %2029, 2.000000e-01
+  %2031 = select i1 %2030, double %2029, double 2.000000e-01
+  %2032 = tail call double @llvm.fabs.f64(double %2018)
+  %2033 = fcmp ueq double %2032, 0x7FF0000000000000
+  %2034 = select i1 %2033, double 2.500000e-01, double %2031
+  %2035 = fmul double %644, %2034
+  %2036 = getelementptr inbounds i8, ptr %2021, i64 16
+  %2037 = load double, ptr %2036, align 8, !noalias !16
+  %2038 = fdiv double %644, %2037
+  %2039 = fdiv double %2023, %2020
+  %2040 = tail call double @llvm.sqrt.f64(double %2039)
+  %2041 = tail call double @llvm.sqrt.f64(double %2040)
+  %2042 = fmul double %2038, %2041
+  %2043 = fcmp ule double %2023, 0.000000e+00
+  %2044 = fcmp olt double %2042, 1.000000e+00
+  %2045 = select i1 %2044, double %2042, double 1.000000e+00
+  %2046 = select i1 %2043, double 1.000000e+00, double %2045
+  %2047 = fmul double %2029, %2046
+  %2048 = fcmp olt double %2047, 1.000000e+01
+  %2049 = select i1 %2048, double %2047, double 1.000000e+01
+  %2050 = fcmp ule double %2049, 1.000000e+00
+  %2051 = fcmp uge double %2049, 1.200000e+00
+  %2052 = or i1 %2050, %2051
+  %2053 = select i1 %2052, i1 true, i1 %1472
+  %2054 = load double, ptr %2021, align 8, !noalias !16
+  %2055 = fcmp ogt double %2049, 2.000000e-01
+  %2056 = select i1 %2055, double %2049, double 2.000000e-01
+  %2057 = fmul double %644, %2056
+  %2058 = select i1 %2053, double %2057, double %2054
+  %2059 = icmp eq i64 %2016, 0
+  %2060 = select i1 %2059, double %2035, double %2058
+  %2061 = and i64 %1468, 4294967295
+  %2062 = icmp eq i64 %2061, 0
+  %2063 = select i1 %2062, double %1542, double %2060
+  %2064 = xor i64 %2016, -1
+  %2065 = and i64 %1468, %2064
+  %2066 = load ptr, ptr %192, align 8, !noalias !16
+  %2067 = getelementptr inbounds i8, ptr %2066, i64 32
+  %2068 = load i64, ptr %2067, align 8, !noalias !16
+  %2069 = or i64 %2068, %2065
+  store i64 %2069, ptr %2067, align 8, !noalias !16
+  %2070 = load ptr, ptr %192, align 8, !noalias !16
+  %2071 = getelementptr inbounds i8, ptr %2070, i64 8
+  %2072 = load i64, ptr %2071, align 8, !noalias !16
+  %2073 = xor i64 %2065, -1
+  %2074 = and i64 %2072, %2073
+  %2075 = getelementptr inbounds i8, ptr %2070, i64 16
+  %2076 = load i64, ptr %2075, align 8, !noalias !16
+  %2077 = xor i64 %2076, -1
+  %2078 = and i64 %2065, %2077
+  %2079 = or disjoint i64 %2078, %2074
+  store i64 %2079, ptr %2071, align 8, !noalias !16
+  br label %2094
 
-2045:                                             ; preds = %2036
-  %2046 = load i64, ptr %423, align 8
-  %2047 = add nsw i64 %2046, 1
-  store i64 %2047, ptr %423, align 8
-  store i64 6, ptr %439, align 8
-  %2048 = fmul double %535, 2.500000e-01
-  %2049 = load ptr, ptr %83, align 8
-  %2050 = getelementptr inbounds i8, ptr %2049, i64 32
-  %2051 = load i64, ptr %2050, align 8
-  %2052 = or i64 %2051, 1
-  store i64 %2052, ptr %2050, align 8
-  %2053 = load ptr, ptr %83, align 8
-  %2054 = getelementptr inbounds i8, ptr %2053, i64 8
-  %2055 = load i64, ptr %2054, align 8
-  %2056 = and i64 %2055, -2
-  %2057 = getelementptr inbounds i8, ptr %2053, i64 16
-  %2058 = load i64, ptr %2057, align 8
-  %2059 = and i64 %2058, 1
-  %2060 = or disjoint i64 %2059, %2056
-  %2061 = xor i64 %2060, 1
-  store i64 %2061, ptr %2054, align 8
-  %2062 = load ptr, ptr %173, align 8
-  %2063 = getelementptr inbounds i8, ptr %2062, i64 8
-  store double 0.000000e+00, ptr %2063, align 8
-  br label %2637, !llvm.loop !53
+2080:                                             ; preds = %1549, %2080
+  %2081 = phi i64 [ 0, %1549 ], [ %2092, %2080 ]
+  %2082 = load ptr, ptr %262, align 8, !noalias !16
+  %2083 = load ptr, ptr %191, align 8, !noalias !16
+  %2084 = getelementptr inbounds double, ptr %2083, i64 %2081
+  %2085 = load double, ptr %2084, align 8, !noalias !16
+  %2086 = load ptr, ptr %237, align 8, !noalias !16
+  %2087 = getelementptr i8, ptr %2086, i64 %1550
+  %2088 = getelementptr double, ptr %2087, i64 %2081
+  %2089 = load double, ptr %2088, align 8, !noalias !16
+  %2090 = fadd double %2085, %2089
+  %2091 = getelementptr inbounds double, ptr %2082, i64 %2081
+  store double %2090, ptr %2091, align 8, !noalias !16
+  %2092 = add nuw nsw i64 %2081, 1
+  %2093 = icmp eq i64 %2092, %654
+  br i1 %2093, label %1551, label %2080, !llvm.loop !53
 
-2064:                                             ; preds = %2036, %2035
-  %2065 = load i64, ptr %422, align 8
-  %2066 = add nsw i64 %2065, 1
-  store i64 %2066, ptr %422, align 8
-  store double %534, ptr %223, align 8
-  store double %535, ptr %440, align 8
-  %2067 = load ptr, ptr %81, align 8
-  %2068 = getelementptr inbounds i8, ptr %2067, i64 8
-  %2069 = load i64, ptr %2068, align 8
-  %2070 = load i64, ptr %174, align 8
-  %2071 = load ptr, ptr %175, align 8
-  %2072 = load ptr, ptr %176, align 8
-  %2073 = load ptr, ptr %177, align 8
-  %2074 = load ptr, ptr %178, align 8
-  br label %2090
+2094:                                             ; preds = %2013, %1541, %870, %783
+  %2095 = phi double [ %574, %783 ], [ %574, %870 ], [ %1463, %1541 ], [ %1463, %2013 ]
+  %2096 = phi double [ %573, %783 ], [ %573, %870 ], [ %1464, %1541 ], [ %1464, %2013 ]
+  %2097 = phi double [ %572, %783 ], [ %572, %870 ], [ %1465, %1541 ], [ %1465, %2013 ]
+  %2098 = phi i64 [ %571, %783 ], [ %571, %870 ], [ %1466, %1541 ], [ %1466, %2013 ]
+  %2099 = phi i64 [ %570, %783 ], [ %570, %870 ], [ %1467, %1541 ], [ %1467, %2013 ]
+  %2100 = phi i64 [ %569, %783 ], [ %569, %870 ], [ %1468, %1541 ], [ %1468, %2013 ]
+  %2101 = phi i1 [ false, %783 ], [ false, %870 ], [ %1472, %1541 ], [ %1472, %2013 ]
+  %2102 = phi double [ 2.000000e+00, %783 ], [ %872, %870 ], [ %1543, %1541 ], [ %2017, %2013 ]
+  %2103 = phi double [ 0.000000e+00, %783 ], [ 0.000000e+00, %870 ], [ 0.000000e+00, %1541 ], [ %2018, %2013 ]
+  %2104 = phi double [ %568, %783 ], [ %871, %870 ], [ %1542, %1541 ], [ %2063, %2013 ]
+  %2105 = phi double [ %766, %783 ], [ %795, %870 ], [ %1469, %1541 ], [ %2014, %2013 ]
+  %2106 = phi i64 [ 0, %783 ], [ %809, %870 ], [ %809, %1541 ], [ %809, %2013 ]
+  %2107 = phi i64 [ 1, %783 ], [ 0, %870 ], [ %1466, %1541 ], [ %2015, %2013 ]
+  %2108 = phi i64 [ 0, %783 ], [ 0, %870 ], [ 0, %1541 ], [ %2016, %2013 ]
+  %2109 = zext i1 %2101 to i64
+  %2110 = fptosi double %2105 to i64
+  %2111 = load i64, ptr %545, align 8
+  %2112 = add nsw i64 %2111, %2110
+  store i64 %2112, ptr %545, align 8
+  %2113 = load i64, ptr %546, align 8
+  %2114 = add nsw i64 %2113, %658
+  store i64 %2114, ptr %546, align 8
+  %2115 = load i64, ptr %547, align 8
+  %2116 = add nsw i64 %2115, %2106
+  store i64 %2116, ptr %547, align 8
+  %2117 = icmp eq i64 %2107, 0
+  br i1 %2117, label %2118, label %2746
 
-2075:                                             ; preds = %2090
-  %2076 = icmp sgt i64 %2069, 0
-  br i1 %2076, label %2077, label %2150
+2118:                                             ; preds = %2094
+  %2119 = icmp eq i64 %2108, 0
+  br i1 %2119, label %2120, label %2144
 
-2077:                                             ; preds = %2075
-  %2078 = load double, ptr %13, align 16
-  %2079 = load double, ptr %179, align 8
-  %2080 = getelementptr double, ptr %2071, i64 %2069
-  %2081 = load double, ptr %180, align 16
-  %2082 = shl i64 %2069, 4
-  %2083 = getelementptr i8, ptr %2071, i64 %2082
-  %2084 = load double, ptr %14, align 16
-  %2085 = load double, ptr %181, align 8
-  %2086 = load double, ptr %182, align 16
-  %2087 = getelementptr inbounds double, ptr %2072, i64 %2070
-  %2088 = shl nsw i64 %2070, 4
-  %2089 = getelementptr inbounds i8, ptr %2072, i64 %2088
-  br label %2101
+2120:                                             ; preds = %2118
+  %2121 = load i64, ptr %532, align 8
+  %2122 = add nsw i64 %2121, 1
+  store i64 %2122, ptr %532, align 8
+  %2123 = fptosi double %2102 to i64
+  store i64 %2123, ptr %555, align 8
+  %2124 = fcmp ult double %2103, 1.000000e+00
+  %2125 = fcmp ueq double %2103, 0x7FF0000000000000
+  %2126 = or i1 %2124, %2125
+  br i1 %2126, label %2746, label %2127, !llvm.loop !54
 
-2090:                                             ; preds = %2064, %2090
-  %2091 = phi i64 [ 0, %2064 ], [ %2099, %2090 ]
-  %2092 = getelementptr inbounds [3 x [3 x double]], ptr @POLYNOMIAL, i64 0, i64 %2091
-  %2093 = getelementptr inbounds i8, ptr %2092, i64 8
-  %2094 = load double, ptr %2093, align 8
-  %2095 = getelementptr inbounds [3 x double], ptr %13, i64 0, i64 %2091
-  store double %2094, ptr %2095, align 8
-  %2096 = getelementptr inbounds i8, ptr %2092, i64 16
-  %2097 = load double, ptr %2096, align 8
-  %2098 = getelementptr inbounds [3 x double], ptr %14, i64 0, i64 %2091
-  store double %2097, ptr %2098, align 8
-  %2099 = add nuw nsw i64 %2091, 1
-  %2100 = icmp eq i64 %2099, 3
-  br i1 %2100, label %2075, label %2090, !llvm.loop !54
+2127:                                             ; preds = %2120
+  %2128 = load i64, ptr %323, align 8
+  %2129 = icmp eq i64 %2128, 0
+  br i1 %2129, label %2746, label %2130, !llvm.loop !54
 
-2101:                                             ; preds = %2077, %2138
-  %2102 = phi i64 [ 0, %2077 ], [ %2139, %2138 ]
-  %2103 = getelementptr inbounds double, ptr %2071, i64 %2102
-  %2104 = load double, ptr %2103, align 8
-  %2105 = fmul double %2078, %2104
-  %2106 = getelementptr double, ptr %2080, i64 %2102
-  %2107 = load double, ptr %2106, align 8
-  %2108 = fmul double %2079, %2107
-  %2109 = fadd double %2105, %2108
-  %2110 = getelementptr double, ptr %2083, i64 %2102
-  %2111 = load double, ptr %2110, align 8
-  %2112 = fmul double %2081, %2111
-  %2113 = fadd double %2109, %2112
-  %2114 = fmul double %2104, %2084
-  %2115 = fmul double %2107, %2085
-  %2116 = fadd double %2114, %2115
-  %2117 = fmul double %2111, %2086
-  %2118 = fadd double %2116, %2117
-  %2119 = load ptr, ptr %183, align 8
-  %2120 = getelementptr inbounds double, ptr %2119, i64 %2102
-  %2121 = load double, ptr %2120, align 8
-  %2122 = load ptr, ptr %82, align 8
-  %2123 = getelementptr inbounds double, ptr %2122, i64 %2102
-  %2124 = load double, ptr %2123, align 8
-  %2125 = fsub double %2121, %2124
-  %2126 = getelementptr inbounds double, ptr %2072, i64 %2102
-  store double %2125, ptr %2126, align 8
-  %2127 = fneg double %2113
-  %2128 = fsub double %2127, %2118
-  %2129 = getelementptr inbounds double, ptr %2087, i64 %2102
-  store double %2128, ptr %2129, align 8
-  %2130 = fneg double %2118
-  %2131 = getelementptr inbounds double, ptr %2089, i64 %2102
-  store double %2130, ptr %2131, align 8
-  %2132 = load ptr, ptr %82, align 8
-  %2133 = getelementptr inbounds double, ptr %2132, i64 %2102
-  %2134 = load double, ptr %2133, align 8
-  %2135 = getelementptr inbounds double, ptr %2073, i64 %2102
-  store double %2134, ptr %2135, align 8
-  %2136 = getelementptr double, ptr %2072, i64 %2102
-  %2137 = getelementptr double, ptr %2073, i64 %2102
-  br label %2141
+2130:                                             ; preds = %2127
+  %2131 = tail call fastcc double @knot_after(ptr noundef nonnull %190, double noundef %567) #11
+  %2132 = fmul double %644, 1.000000e-03
+  %2133 = fsub double %643, %2132
+  %2134 = tail call double @llvm.fabs.f64(double %643)
+  %2135 = fmul double %2134, 0x3D10000000000000
+  %2136 = fsub double %2133, %2135
+  %2137 = fcmp ogt double %2136, %2131
+  br i1 %2137, label %2138, label %2746, !llvm.loop !54
 
-2138:                                             ; preds = %2141
-  %2139 = add nuw nsw i64 %2102, 1
-  %2140 = icmp eq i64 %2139, %2069
-  br i1 %2140, label %2150, label %2101, !llvm.loop !55
+2138:                                             ; preds = %2130
+  %2139 = tail call fastcc double @knot_after(ptr noundef nonnull %190, double noundef %2131) #11
+  %2140 = fadd double %567, %2104
+  %2141 = fcmp ugt double %2139, %2140
+  br i1 %2141, label %2142, label %2746, !llvm.loop !54
 
-2141:                                             ; preds = %2101, %2141
-  %2142 = phi i64 [ 0, %2101 ], [ %2143, %2141 ]
-  %2143 = add nuw nsw i64 %2142, 1
-  %2144 = mul nuw nsw i64 %2069, %2143
-  %2145 = mul nsw i64 %2070, %2142
-  %2146 = getelementptr double, ptr %2136, i64 %2145
-  %2147 = load double, ptr %2146, align 8
-  %2148 = getelementptr double, ptr %2137, i64 %2144
-  store double %2147, ptr %2148, align 8
-  %2149 = icmp eq i64 %2143, 3
-  br i1 %2149, label %2138, label %2141, !llvm.loop !56
+2142:                                             ; preds = %2138
+  %2143 = fsub double %2131, %567
+  br label %2746, !llvm.loop !54
 
-2150:                                             ; preds = %2138, %2075
-  %2151 = fcmp olt double %1994, 1.000000e-10
-  %2152 = select i1 %2151, double 1.000000e-10, double %1994
-  %2153 = getelementptr inbounds i8, ptr %2074, i64 8
-  store double %535, ptr %2153, align 8
-  %2154 = getelementptr inbounds i8, ptr %2074, i64 16
-  store double %535, ptr %2154, align 8
-  %2155 = getelementptr inbounds i8, ptr %2074, i64 24
-  store double %2152, ptr %2155, align 8
-  %2156 = load ptr, ptr %83, align 8
-  %2157 = getelementptr inbounds i8, ptr %2156, i64 8
-  %2158 = load i64, ptr %2157, align 8
-  %2159 = and i64 %2158, -2
-  %2160 = or disjoint i64 %2159, %2000
-  store i64 %2160, ptr %2157, align 8
-  %2161 = load ptr, ptr %83, align 8
-  %2162 = getelementptr inbounds i8, ptr %2161, i64 16
-  %2163 = load i64, ptr %2162, align 8
-  %2164 = and i64 %2163, -2
-  store i64 %2164, ptr %2162, align 8
-  %2165 = load ptr, ptr %83, align 8
-  %2166 = getelementptr inbounds i8, ptr %2165, i64 32
+2144:                                             ; preds = %2118
+  br i1 %365, label %2145, label %2173
+
+2145:                                             ; preds = %2144
+  %2146 = load ptr, ptr %281, align 8
+  %2147 = load ptr, ptr %191, align 8
+  %2148 = load ptr, ptr %198, align 8
+  %2149 = getelementptr inbounds i8, ptr %2148, i64 56
+  %2150 = load i64, ptr %2149, align 8
+  %2151 = inttoptr i64 %2150 to ptr
+  %2152 = tail call i64 %2151(ptr noundef %0, double noundef %643, ptr noundef %2146, ptr noundef %2147) #10
+  %2153 = icmp eq i64 %2152, 0
+  br i1 %2153, label %2173, label %2154
+
+2154:                                             ; preds = %2145
+  %2155 = load i64, ptr %532, align 8
+  %2156 = add nsw i64 %2155, 1
+  store i64 %2156, ptr %532, align 8
+  store i64 6, ptr %548, align 8
+  %2157 = fmul double %644, 2.500000e-01
+  %2158 = load ptr, ptr %192, align 8
+  %2159 = getelementptr inbounds i8, ptr %2158, i64 32
+  %2160 = load i64, ptr %2159, align 8
+  %2161 = or i64 %2160, 1
+  store i64 %2161, ptr %2159, align 8
+  %2162 = load ptr, ptr %192, align 8
+  %2163 = getelementptr inbounds i8, ptr %2162, i64 8
+  %2164 = load i64, ptr %2163, align 8
+  %2165 = and i64 %2164, -2
+  %2166 = getelementptr inbounds i8, ptr %2162, i64 16
   %2167 = load i64, ptr %2166, align 8
-  %2168 = and i64 %2167, -2
-  store i64 %2168, ptr %2166, align 8
-  %2169 = load ptr, ptr %0, align 8
-  %2170 = getelementptr inbounds i8, ptr %2169, i64 24
-  %2171 = load i64, ptr %2170, align 8
-  %2172 = load ptr, ptr %101, align 8
-  %2173 = getelementptr inbounds i8, ptr %2172, i64 8
-  %2174 = load i64, ptr %2173, align 8
-  %2175 = icmp eq i64 %2174, 0
-  br i1 %2175, label %2222, label %2176
+  %2168 = and i64 %2167, 1
+  %2169 = or disjoint i64 %2168, %2165
+  %2170 = xor i64 %2169, 1
+  store i64 %2170, ptr %2163, align 8
+  %2171 = load ptr, ptr %282, align 8
+  %2172 = getelementptr inbounds i8, ptr %2171, i64 8
+  store double 0.000000e+00, ptr %2172, align 8
+  br label %2746, !llvm.loop !54
 
-2176:                                             ; preds = %2150
-  %2177 = load i64, ptr %2172, align 8
-  %2178 = load ptr, ptr %81, align 8
-  %2179 = getelementptr inbounds i8, ptr %2178, i64 8
-  %2180 = load i64, ptr %2179, align 8
-  %2181 = load ptr, ptr %184, align 8
-  %2182 = load i64, ptr %185, align 8
-  %2183 = mul nsw i64 %2182, %2177
-  %2184 = getelementptr inbounds double, ptr %2181, i64 %2183
-  %2185 = getelementptr inbounds double, ptr %2184, i64 %2182
-  store double %458, ptr %2184, align 8
-  %2186 = getelementptr inbounds i8, ptr %2184, i64 8
-  store double %535, ptr %2186, align 8
-  store double %534, ptr %2185, align 8
-  %2187 = getelementptr inbounds i8, ptr %2185, i64 8
-  store double 0.000000e+00, ptr %2187, align 8
-  %2188 = icmp sgt i64 %2180, 0
-  br i1 %2188, label %2189, label %2192
+2173:                                             ; preds = %2145, %2144
+  %2174 = load i64, ptr %531, align 8
+  %2175 = add nsw i64 %2174, 1
+  store i64 %2175, ptr %531, align 8
+  store double %643, ptr %332, align 8
+  store double %644, ptr %549, align 8
+  %2176 = load ptr, ptr %190, align 8
+  %2177 = getelementptr inbounds i8, ptr %2176, i64 8
+  %2178 = load i64, ptr %2177, align 8
+  %2179 = load i64, ptr %283, align 8
+  %2180 = load ptr, ptr %284, align 8
+  %2181 = load ptr, ptr %285, align 8
+  %2182 = load ptr, ptr %286, align 8
+  %2183 = load ptr, ptr %287, align 8
+  br label %2199
 
-2189:                                             ; preds = %2176
-  %2190 = getelementptr i8, ptr %2184, i64 16
-  %2191 = icmp sgt i64 %2171, 0
-  br label %2195
+2184:                                             ; preds = %2199
+  %2185 = icmp sgt i64 %2178, 0
+  br i1 %2185, label %2186, label %2259
 
-2192:                                             ; preds = %2207, %2176
-  %2193 = add nsw i64 %2177, 1
-  %2194 = load ptr, ptr %101, align 8
-  store i64 %2193, ptr %2194, align 8
-  br label %2222
+2186:                                             ; preds = %2184
+  %2187 = load double, ptr %13, align 16
+  %2188 = load double, ptr %288, align 8
+  %2189 = getelementptr double, ptr %2180, i64 %2178
+  %2190 = load double, ptr %289, align 16
+  %2191 = shl i64 %2178, 4
+  %2192 = getelementptr i8, ptr %2180, i64 %2191
+  %2193 = load double, ptr %14, align 16
+  %2194 = load double, ptr %290, align 8
+  %2195 = load double, ptr %291, align 16
+  %2196 = getelementptr inbounds double, ptr %2181, i64 %2179
+  %2197 = shl nsw i64 %2179, 4
+  %2198 = getelementptr inbounds i8, ptr %2181, i64 %2197
+  br label %2210
 
-2195:                                             ; preds = %2189, %2207
-  %2196 = phi i64 [ 0, %2189 ], [ %2208, %2207 ]
-  %2197 = load ptr, ptr %82, align 8
-  %2198 = getelementptr inbounds double, ptr %2197, i64 %2196
-  %2199 = load double, ptr %2198, align 8
-  %2200 = add nuw nsw i64 %2196, 2
-  %2201 = getelementptr inbounds double, ptr %2184, i64 %2200
-  store double %2199, ptr %2201, align 8
-  %2202 = load ptr, ptr %186, align 8
-  %2203 = getelementptr inbounds double, ptr %2202, i64 %2196
-  %2204 = load double, ptr %2203, align 8
-  %2205 = getelementptr inbounds double, ptr %2185, i64 %2200
-  store double %2204, ptr %2205, align 8
-  %2206 = getelementptr double, ptr %2190, i64 %2196
-  br i1 %2191, label %2210, label %2207
+2199:                                             ; preds = %2173, %2199
+  %2200 = phi i64 [ 0, %2173 ], [ %2208, %2199 ]
+  %2201 = getelementptr inbounds [3 x [3 x double]], ptr @POLYNOMIAL, i64 0, i64 %2200
+  %2202 = getelementptr inbounds i8, ptr %2201, i64 8
+  %2203 = load double, ptr %2202, align 8
+  %2204 = getelementptr inbounds [3 x double], ptr %13, i64 0, i64 %2200
+  store double %2203, ptr %2204, align 8
+  %2205 = getelementptr inbounds i8, ptr %2201, i64 16
+  %2206 = load double, ptr %2205, align 8
+  %2207 = getelementptr inbounds [3 x double], ptr %14, i64 0, i64 %2200
+  store double %2206, ptr %2207, align 8
+  %2208 = add nuw nsw i64 %2200, 1
+  %2209 = icmp eq i64 %2208, 3
+  br i1 %2209, label %2184, label %2199, !llvm.loop !55
 
-2207:                                             ; preds = %2210, %2195
-  %2208 = add nuw nsw i64 %2196, 1
-  %2209 = icmp eq i64 %2208, %2180
-  br i1 %2209, label %2192, label %2195, !llvm.loop !57
+2210:                                             ; preds = %2186, %2247
+  %2211 = phi i64 [ 0, %2186 ], [ %2248, %2247 ]
+  %2212 = getelementptr inbounds double, ptr %2180, i64 %2211
+  %2213 = load double, ptr %2212, align 8
+  %2214 = fmul double %2187, %2213
+  %2215 = getelementptr double, ptr %2189, i64 %2211
+  %2216 = load double, ptr %2215, align 8
+  %2217 = fmul double %2188, %2216
+  %2218 = fadd double %2214, %2217
+  %2219 = getelementptr double, ptr %2192, i64 %2211
+  %2220 = load double, ptr %2219, align 8
+  %2221 = fmul double %2190, %2220
+  %2222 = fadd double %2218, %2221
+  %2223 = fmul double %2213, %2193
+  %2224 = fmul double %2216, %2194
+  %2225 = fadd double %2223, %2224
+  %2226 = fmul double %2220, %2195
+  %2227 = fadd double %2225, %2226
+  %2228 = load ptr, ptr %292, align 8
+  %2229 = getelementptr inbounds double, ptr %2228, i64 %2211
+  %2230 = load double, ptr %2229, align 8
+  %2231 = load ptr, ptr %191, align 8
+  %2232 = getelementptr inbounds double, ptr %2231, i64 %2211
+  %2233 = load double, ptr %2232, align 8
+  %2234 = fsub double %2230, %2233
+  %2235 = getelementptr inbounds double, ptr %2181, i64 %2211
+  store double %2234, ptr %2235, align 8
+  %2236 = fneg double %2222
+  %2237 = fsub double %2236, %2227
+  %2238 = getelementptr inbounds double, ptr %2196, i64 %2211
+  store double %2237, ptr %2238, align 8
+  %2239 = fneg double %2227
+  %2240 = getelementptr inbounds double, ptr %2198, i64 %2211
+  store double %2239, ptr %2240, align 8
+  %2241 = load ptr, ptr %191, align 8
+  %2242 = getelementptr inbounds double, ptr %2241, i64 %2211
+  %2243 = load double, ptr %2242, align 8
+  %2244 = getelementptr inbounds double, ptr %2182, i64 %2211
+  store double %2243, ptr %2244, align 8
+  %2245 = getelementptr double, ptr %2181, i64 %2211
+  %2246 = getelementptr double, ptr %2182, i64 %2211
+  br label %2250
 
-2210:                                             ; preds = %2195, %2210
-  %2211 = phi i64 [ %2218, %2210 ], [ 0, %2195 ]
-  %2212 = load ptr, ptr %187, align 8
-  %2213 = load i64, ptr %188, align 8
-  %2214 = mul nsw i64 %2213, %2211
-  %2215 = getelementptr double, ptr %2212, i64 %2214
-  %2216 = getelementptr double, ptr %2215, i64 %2196
-  %2217 = load double, ptr %2216, align 8
-  %2218 = add nuw nsw i64 %2211, 1
-  %2219 = mul nuw nsw i64 %2218, %2180
-  %2220 = getelementptr double, ptr %2206, i64 %2219
-  store double %2217, ptr %2220, align 8
-  %2221 = icmp eq i64 %2218, %2171
-  br i1 %2221, label %2207, label %2210, !llvm.loop !58
+2247:                                             ; preds = %2250
+  %2248 = add nuw nsw i64 %2211, 1
+  %2249 = icmp eq i64 %2248, %2178
+  br i1 %2249, label %2259, label %2210, !llvm.loop !56
 
-2222:                                             ; preds = %2150, %2192
-  br i1 %260, label %2223, label %2331
+2250:                                             ; preds = %2210, %2250
+  %2251 = phi i64 [ 0, %2210 ], [ %2252, %2250 ]
+  %2252 = add nuw nsw i64 %2251, 1
+  %2253 = mul nuw nsw i64 %2178, %2252
+  %2254 = mul nsw i64 %2179, %2251
+  %2255 = getelementptr double, ptr %2245, i64 %2254
+  %2256 = load double, ptr %2255, align 8
+  %2257 = getelementptr double, ptr %2246, i64 %2253
+  store double %2256, ptr %2257, align 8
+  %2258 = icmp eq i64 %2252, 3
+  br i1 %2258, label %2247, label %2250, !llvm.loop !57
 
-2223:                                             ; preds = %2222
-  %2224 = load ptr, ptr %90, align 8
-  %2225 = load ptr, ptr %81, align 8
-  %2226 = getelementptr inbounds i8, ptr %2225, i64 8
-  %2227 = load i64, ptr %2226, align 8
-  %2228 = load ptr, ptr %189, align 8
-  %2229 = getelementptr inbounds i8, ptr %2224, i64 32
-  %2230 = load i64, ptr %2229, align 8
-  %2231 = getelementptr inbounds double, ptr %2228, i64 %2230
-  %2232 = load ptr, ptr %190, align 8
-  %2233 = getelementptr inbounds i8, ptr %2224, i64 24
-  %2234 = load i64, ptr %2233, align 8
-  %2235 = icmp eq i64 %2234, 0
-  br i1 %2235, label %2328, label %2236
+2259:                                             ; preds = %2247, %2184
+  %2260 = fcmp olt double %2103, 1.000000e-10
+  %2261 = select i1 %2260, double 1.000000e-10, double %2103
+  %2262 = getelementptr inbounds i8, ptr %2183, i64 8
+  store double %644, ptr %2262, align 8
+  %2263 = getelementptr inbounds i8, ptr %2183, i64 16
+  store double %644, ptr %2263, align 8
+  %2264 = getelementptr inbounds i8, ptr %2183, i64 24
+  store double %2261, ptr %2264, align 8
+  %2265 = load ptr, ptr %192, align 8
+  %2266 = getelementptr inbounds i8, ptr %2265, i64 8
+  %2267 = load i64, ptr %2266, align 8
+  %2268 = and i64 %2267, -2
+  %2269 = or disjoint i64 %2268, %2109
+  store i64 %2269, ptr %2266, align 8
+  %2270 = load ptr, ptr %192, align 8
+  %2271 = getelementptr inbounds i8, ptr %2270, i64 16
+  %2272 = load i64, ptr %2271, align 8
+  %2273 = and i64 %2272, -2
+  store i64 %2273, ptr %2271, align 8
+  %2274 = load ptr, ptr %192, align 8
+  %2275 = getelementptr inbounds i8, ptr %2274, i64 32
+  %2276 = load i64, ptr %2275, align 8
+  %2277 = and i64 %2276, -2
+  store i64 %2277, ptr %2275, align 8
+  %2278 = load ptr, ptr %0, align 8
+  %2279 = getelementptr inbounds i8, ptr %2278, i64 24
+  %2280 = load i64, ptr %2279, align 8
+  %2281 = load ptr, ptr %210, align 8
+  %2282 = getelementptr inbounds i8, ptr %2281, i64 8
+  %2283 = load i64, ptr %2282, align 8
+  %2284 = icmp eq i64 %2283, 0
+  br i1 %2284, label %2331, label %2285
 
-2236:                                             ; preds = %2223
-  %2237 = getelementptr inbounds i8, ptr %2224, i64 40
-  %2238 = load i64, ptr %2237, align 8
-  %2239 = icmp sgt i64 %2238, 0
-  br i1 %2239, label %2240, label %2244
+2285:                                             ; preds = %2259
+  %2286 = load i64, ptr %2281, align 8
+  %2287 = load ptr, ptr %190, align 8
+  %2288 = getelementptr inbounds i8, ptr %2287, i64 8
+  %2289 = load i64, ptr %2288, align 8
+  %2290 = load ptr, ptr %293, align 8
+  %2291 = load i64, ptr %294, align 8
+  %2292 = mul nsw i64 %2291, %2286
+  %2293 = getelementptr inbounds double, ptr %2290, i64 %2292
+  %2294 = getelementptr inbounds double, ptr %2293, i64 %2291
+  store double %567, ptr %2293, align 8
+  %2295 = getelementptr inbounds i8, ptr %2293, i64 8
+  store double %644, ptr %2295, align 8
+  store double %643, ptr %2294, align 8
+  %2296 = getelementptr inbounds i8, ptr %2294, i64 8
+  store double 0.000000e+00, ptr %2296, align 8
+  %2297 = icmp sgt i64 %2289, 0
+  br i1 %2297, label %2298, label %2301
 
-2240:                                             ; preds = %2236
-  %2241 = getelementptr double, ptr %2232, i64 %2227
-  %2242 = shl i64 %2227, 4
-  %2243 = getelementptr i8, ptr %2232, i64 %2242
-  br label %2298
+2298:                                             ; preds = %2285
+  %2299 = getelementptr i8, ptr %2293, i64 16
+  %2300 = icmp sgt i64 %2280, 0
+  br label %2304
 
-2244:                                             ; preds = %2298, %2236
-  %2245 = load ptr, ptr %192, align 8
-  %2246 = load ptr, ptr %90, align 8
-  %2247 = getelementptr inbounds i8, ptr %2246, i64 8
-  %2248 = load i64, ptr %2247, align 8
-  %2249 = load ptr, ptr %193, align 8
-  %2250 = load ptr, ptr %189, align 8
-  %2251 = getelementptr inbounds i8, ptr %2246, i64 32
-  %2252 = load i64, ptr %2251, align 8
-  %2253 = getelementptr inbounds i8, ptr %2246, i64 40
-  %2254 = load i64, ptr %2253, align 8
-  %2255 = getelementptr double, ptr %2250, i64 %2252
-  %2256 = getelementptr double, ptr %2255, i64 %2254
-  store double %535, ptr %2256, align 8
-  %2257 = load ptr, ptr %192, align 8
-  store double %458, ptr %2257, align 8
-  %2258 = load ptr, ptr %90, align 8
-  %2259 = getelementptr inbounds i8, ptr %2258, i64 24
-  %2260 = load i64, ptr %2259, align 8
-  %2261 = load ptr, ptr %82, align 8
-  %2262 = load ptr, ptr %189, align 8
-  %2263 = load ptr, ptr %194, align 8
-  %2264 = inttoptr i64 %2260 to ptr
-  %2265 = load ptr, ptr %2264, align 8
-  %2266 = tail call i32 %2265(ptr noundef %2245, ptr noundef %2261, ptr noundef %2262, ptr noundef %2263, ptr noundef %2249) #11
-  %2267 = icmp eq i32 %2266, 0
-  br i1 %2267, label %2268, label %2328
-
-2268:                                             ; preds = %2244
-  %2269 = icmp slt i64 %2248, 1
-  br i1 %2269, label %2295, label %2270
-
-2270:                                             ; preds = %2268
-  %2271 = load ptr, ptr %195, align 8
-  %2272 = getelementptr double, ptr %2249, i64 %2248
-  br label %2273
-
-2273:                                             ; preds = %2270, %2291
-  %2274 = phi i1 [ %2269, %2270 ], [ %2293, %2291 ]
-  %2275 = phi i64 [ 0, %2270 ], [ %2292, %2291 ]
-  %2276 = getelementptr inbounds i64, ptr %2271, i64 %2275
-  %2277 = load i64, ptr %2276, align 8
-  %2278 = and i64 %2277, 2
-  %2279 = icmp eq i64 %2278, 0
-  br i1 %2279, label %2280, label %2291
-
-2280:                                             ; preds = %2273
-  %2281 = getelementptr inbounds double, ptr %2249, i64 %2275
-  %2282 = load double, ptr %2281, align 8
-  %2283 = load ptr, ptr %196, align 8
-  %2284 = getelementptr inbounds i64, ptr %2283, i64 %2275
-  %2285 = load i64, ptr %2284, align 8
-  %2286 = sitofp i64 %2285 to double
-  %2287 = fmul double %2282, %2286
-  %2288 = getelementptr double, ptr %2272, i64 %2275
-  %2289 = load double, ptr %2288, align 8
-  %2290 = fcmp ogt double %2287, %2289
-  br i1 %2290, label %2291, label %2295
-
-2291:                                             ; preds = %2280, %2273
-  %2292 = add nuw nsw i64 %2275, 1
-  %2293 = icmp sge i64 %2292, %2248
-  %2294 = icmp eq i64 %2292, %2248
-  br i1 %2294, label %2295, label %2273, !llvm.loop !59
-
-2295:                                             ; preds = %2291, %2280, %2268
-  %2296 = phi i1 [ %2269, %2268 ], [ %2293, %2291 ], [ %2274, %2280 ]
-  %2297 = zext i1 %2296 to i32
-  br label %2328
-
-2298:                                             ; preds = %2240, %2298
-  %2299 = phi i64 [ 0, %2240 ], [ %2325, %2298 ]
-  %2300 = load ptr, ptr %191, align 8
-  %2301 = getelementptr inbounds double, ptr %2300, i64 %2299
-  %2302 = load double, ptr %2301, align 8
-  %2303 = load ptr, ptr %82, align 8
-  %2304 = getelementptr inbounds double, ptr %2303, i64 %2299
-  %2305 = load double, ptr %2304, align 8
-  %2306 = fsub double %2302, %2305
-  %2307 = tail call double @llvm.fabs.f64(double %2306)
-  %2308 = getelementptr inbounds double, ptr %2232, i64 %2299
-  %2309 = load double, ptr %2308, align 8
-  %2310 = tail call double @llvm.fabs.f64(double %2309)
-  %2311 = getelementptr double, ptr %2241, i64 %2299
-  %2312 = load double, ptr %2311, align 8
-  %2313 = tail call double @llvm.fabs.f64(double %2312)
-  %2314 = fcmp ogt double %2310, %2313
-  %2315 = select i1 %2314, double %2310, double %2313
-  %2316 = getelementptr double, ptr %2243, i64 %2299
-  %2317 = load double, ptr %2316, align 8
-  %2318 = tail call double @llvm.fabs.f64(double %2317)
-  %2319 = fcmp ogt double %2315, %2318
-  %2320 = select i1 %2319, double %2315, double %2318
-  %2321 = fcmp ogt double %2320, %2307
-  %2322 = select i1 %2321, double %2320, double %2307
-  %2323 = fmul double %2322, 8.000000e+00
-  %2324 = getelementptr inbounds double, ptr %2231, i64 %2299
-  store double %2323, ptr %2324, align 8
-  %2325 = add nuw nsw i64 %2299, 1
-  %2326 = load i64, ptr %2237, align 8
-  %2327 = icmp slt i64 %2325, %2326
-  br i1 %2327, label %2298, label %2244, !llvm.loop !60
-
-2328:                                             ; preds = %2295, %2244, %2223
-  %2329 = phi i32 [ 0, %2223 ], [ 0, %2244 ], [ %2297, %2295 ]
-  %2330 = icmp eq i32 %2329, 0
+2301:                                             ; preds = %2316, %2285
+  %2302 = add nsw i64 %2286, 1
+  %2303 = load ptr, ptr %210, align 8
+  store i64 %2302, ptr %2303, align 8
   br label %2331
 
-2331:                                             ; preds = %2328, %2222
-  %2332 = phi i1 [ false, %2222 ], [ %2330, %2328 ]
-  br i1 %2332, label %2338, label %2333
+2304:                                             ; preds = %2298, %2316
+  %2305 = phi i64 [ 0, %2298 ], [ %2317, %2316 ]
+  %2306 = load ptr, ptr %191, align 8
+  %2307 = getelementptr inbounds double, ptr %2306, i64 %2305
+  %2308 = load double, ptr %2307, align 8
+  %2309 = add nuw nsw i64 %2305, 2
+  %2310 = getelementptr inbounds double, ptr %2293, i64 %2309
+  store double %2308, ptr %2310, align 8
+  %2311 = load ptr, ptr %295, align 8
+  %2312 = getelementptr inbounds double, ptr %2311, i64 %2305
+  %2313 = load double, ptr %2312, align 8
+  %2314 = getelementptr inbounds double, ptr %2294, i64 %2309
+  store double %2313, ptr %2314, align 8
+  %2315 = getelementptr double, ptr %2299, i64 %2305
+  br i1 %2300, label %2319, label %2316
 
-2333:                                             ; preds = %2331
-  %2334 = load i64, ptr %441, align 8
-  %2335 = getelementptr inbounds double, ptr %232, i64 %2334
-  %2336 = load double, ptr %2335, align 8
-  %2337 = fcmp ugt double %2336, %534
-  br i1 %2337, label %2563, label %2338
+2316:                                             ; preds = %2319, %2304
+  %2317 = add nuw nsw i64 %2305, 1
+  %2318 = icmp eq i64 %2317, %2289
+  br i1 %2318, label %2301, label %2304, !llvm.loop !58
 
-2338:                                             ; preds = %2333, %2331
-  %2339 = load ptr, ptr %84, align 8
-  br i1 %2332, label %2340, label %2351
+2319:                                             ; preds = %2304, %2319
+  %2320 = phi i64 [ %2327, %2319 ], [ 0, %2304 ]
+  %2321 = load ptr, ptr %296, align 8
+  %2322 = load i64, ptr %297, align 8
+  %2323 = mul nsw i64 %2322, %2320
+  %2324 = getelementptr double, ptr %2321, i64 %2323
+  %2325 = getelementptr double, ptr %2324, i64 %2305
+  %2326 = load double, ptr %2325, align 8
+  %2327 = add nuw nsw i64 %2320, 1
+  %2328 = mul nuw nsw i64 %2327, %2289
+  %2329 = getelementptr double, ptr %2315, i64 %2328
+  store double %2326, ptr %2329, align 8
+  %2330 = icmp eq i64 %2327, %2280
+  br i1 %2330, label %2316, label %2319, !llvm.loop !59
 
-2340:                                             ; preds = %2338
-  %2341 = load ptr, ptr %90, align 8
-  %2342 = getelementptr inbounds i8, ptr %2341, i64 16
+2331:                                             ; preds = %2259, %2301
+  br i1 %369, label %2332, label %2440
+
+2332:                                             ; preds = %2331
+  %2333 = load ptr, ptr %199, align 8
+  %2334 = load ptr, ptr %190, align 8
+  %2335 = getelementptr inbounds i8, ptr %2334, i64 8
+  %2336 = load i64, ptr %2335, align 8
+  %2337 = load ptr, ptr %298, align 8
+  %2338 = getelementptr inbounds i8, ptr %2333, i64 32
+  %2339 = load i64, ptr %2338, align 8
+  %2340 = getelementptr inbounds double, ptr %2337, i64 %2339
+  %2341 = load ptr, ptr %299, align 8
+  %2342 = getelementptr inbounds i8, ptr %2333, i64 24
   %2343 = load i64, ptr %2342, align 8
-  %2344 = inttoptr i64 %2343 to ptr
-  %2345 = tail call i64 %2344(ptr noundef %0, double noundef %458, double noundef %535) #11
-  %2346 = icmp eq i64 %2345, -6
-  br i1 %2346, label %2347, label %2348
+  %2344 = icmp eq i64 %2343, 0
+  br i1 %2344, label %2437, label %2345
 
-2347:                                             ; preds = %2340
-  store double %458, ptr %2339, align 8
-  br label %2526
+2345:                                             ; preds = %2332
+  %2346 = getelementptr inbounds i8, ptr %2333, i64 40
+  %2347 = load i64, ptr %2346, align 8
+  %2348 = icmp sgt i64 %2347, 0
+  br i1 %2348, label %2349, label %2353
 
-2348:                                             ; preds = %2340
-  %2349 = getelementptr inbounds i8, ptr %2339, i64 48
-  %2350 = load double, ptr %2349, align 8
-  br label %2351
+2349:                                             ; preds = %2345
+  %2350 = getelementptr double, ptr %2341, i64 %2336
+  %2351 = shl i64 %2336, 4
+  %2352 = getelementptr i8, ptr %2341, i64 %2351
+  br label %2407
 
-2351:                                             ; preds = %2348, %2338
-  %2352 = phi double [ %2350, %2348 ], [ 1.000000e+00, %2338 ]
-  %2353 = phi i64 [ %2345, %2348 ], [ 0, %2338 ]
-  %2354 = fcmp oeq double %2352, 1.000000e+00
-  br i1 %2354, label %2355, label %2357
+2353:                                             ; preds = %2407, %2345
+  %2354 = load ptr, ptr %301, align 8
+  %2355 = load ptr, ptr %199, align 8
+  %2356 = getelementptr inbounds i8, ptr %2355, i64 8
+  %2357 = load i64, ptr %2356, align 8
+  %2358 = load ptr, ptr %302, align 8
+  %2359 = load ptr, ptr %298, align 8
+  %2360 = getelementptr inbounds i8, ptr %2355, i64 32
+  %2361 = load i64, ptr %2360, align 8
+  %2362 = getelementptr inbounds i8, ptr %2355, i64 40
+  %2363 = load i64, ptr %2362, align 8
+  %2364 = getelementptr double, ptr %2359, i64 %2361
+  %2365 = getelementptr double, ptr %2364, i64 %2363
+  store double %644, ptr %2365, align 8
+  %2366 = load ptr, ptr %301, align 8
+  store double %567, ptr %2366, align 8
+  %2367 = load ptr, ptr %199, align 8
+  %2368 = getelementptr inbounds i8, ptr %2367, i64 24
+  %2369 = load i64, ptr %2368, align 8
+  %2370 = load ptr, ptr %191, align 8
+  %2371 = load ptr, ptr %298, align 8
+  %2372 = load ptr, ptr %303, align 8
+  %2373 = inttoptr i64 %2369 to ptr
+  %2374 = load ptr, ptr %2373, align 8
+  %2375 = tail call i32 %2374(ptr noundef %2354, ptr noundef %2370, ptr noundef %2371, ptr noundef %2372, ptr noundef %2358) #10
+  %2376 = icmp eq i32 %2375, 0
+  br i1 %2376, label %2377, label %2437
 
-2355:                                             ; preds = %2351
-  %2356 = load double, ptr %2339, align 8
-  br label %2360
+2377:                                             ; preds = %2353
+  %2378 = icmp slt i64 %2357, 1
+  br i1 %2378, label %2404, label %2379
 
-2357:                                             ; preds = %2351
-  %2358 = fmul double %535, %2352
-  %2359 = fadd double %458, %2358
-  br label %2360
+2379:                                             ; preds = %2377
+  %2380 = load ptr, ptr %304, align 8
+  %2381 = getelementptr double, ptr %2358, i64 %2357
+  br label %2382
 
-2360:                                             ; preds = %2357, %2355
-  %2361 = phi double [ %2356, %2355 ], [ %2359, %2357 ]
-  %2362 = icmp eq i64 %2353, -4
-  %2363 = select i1 %2362, i64 -4, i64 0
-  br i1 %2362, label %2421, label %2364
+2382:                                             ; preds = %2379, %2400
+  %2383 = phi i1 [ %2378, %2379 ], [ %2402, %2400 ]
+  %2384 = phi i64 [ 0, %2379 ], [ %2401, %2400 ]
+  %2385 = getelementptr inbounds i64, ptr %2380, i64 %2384
+  %2386 = load i64, ptr %2385, align 8
+  %2387 = and i64 %2386, 2
+  %2388 = icmp eq i64 %2387, 0
+  br i1 %2388, label %2389, label %2400
 
-2364:                                             ; preds = %2360
-  %2365 = fcmp olt double %2352, 1.000000e+00
-  %2366 = load ptr, ptr %81, align 8
-  %2367 = getelementptr inbounds i8, ptr %2366, i64 8
-  %2368 = load i64, ptr %2367, align 8
-  %2369 = load i64, ptr %87, align 8
-  %2370 = load ptr, ptr %86, align 8
-  %2371 = load ptr, ptr %85, align 8
-  %2372 = getelementptr inbounds i8, ptr %2371, i64 48
-  %2373 = load i64, ptr %2372, align 8
-  %2374 = icmp slt i64 %2373, %2369
-  br i1 %2374, label %2375, label %2417
+2389:                                             ; preds = %2382
+  %2390 = getelementptr inbounds double, ptr %2358, i64 %2384
+  %2391 = load double, ptr %2390, align 8
+  %2392 = load ptr, ptr %305, align 8
+  %2393 = getelementptr inbounds i64, ptr %2392, i64 %2384
+  %2394 = load i64, ptr %2393, align 8
+  %2395 = sitofp i64 %2394 to double
+  %2396 = fmul double %2391, %2395
+  %2397 = getelementptr double, ptr %2381, i64 %2384
+  %2398 = load double, ptr %2397, align 8
+  %2399 = fcmp ogt double %2396, %2398
+  br i1 %2399, label %2400, label %2404
 
-2375:                                             ; preds = %2364, %2413
-  %2376 = phi i64 [ %2414, %2413 ], [ undef, %2364 ]
-  %2377 = phi i64 [ %2415, %2413 ], [ %2373, %2364 ]
-  %2378 = getelementptr inbounds double, ptr %2370, i64 %2377
-  %2379 = load double, ptr %2378, align 8
-  %2380 = fcmp olt double %2379, %2361
-  %2381 = fcmp oeq double %2379, %2361
-  %2382 = and i1 %2365, %2381
-  %2383 = or i1 %2380, %2382
-  br i1 %2383, label %2384, label %2417
+2400:                                             ; preds = %2389, %2382
+  %2401 = add nuw nsw i64 %2384, 1
+  %2402 = icmp sge i64 %2401, %2357
+  %2403 = icmp eq i64 %2401, %2357
+  br i1 %2403, label %2404, label %2382, !llvm.loop !60
 
-2384:                                             ; preds = %2375
-  %2385 = fsub double %2379, %458
-  %2386 = fdiv double %2385, %535
-  %2387 = mul nsw i64 %2377, %2368
-  %2388 = getelementptr inbounds double, ptr %1, i64 %2387
-  %2389 = load ptr, ptr %197, align 8
-  %2390 = insertelement <8 x double> poison, double %2386, i64 0
-  %2391 = shufflevector <8 x double> %2390, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %2391, ptr %2389, align 8
-  %2392 = load ptr, ptr %82, align 8
-  %2393 = load ptr, ptr %176, align 8
-  %2394 = load i64, ptr %174, align 8
-  %2395 = load ptr, ptr %0, align 8
-  %2396 = getelementptr inbounds i8, ptr %2395, i64 24
-  %2397 = load i64, ptr %2396, align 8
-  %2398 = load ptr, ptr %197, align 8
-  %2399 = load ptr, ptr %81, align 8
-  %2400 = getelementptr inbounds i8, ptr %2399, i64 16
-  %2401 = load i64, ptr %2400, align 8
-  tail call fastcc void @nested(ptr noundef %2388, ptr noundef %2392, ptr noundef %2393, i64 noundef %2394, i64 noundef %2397, ptr noundef %2398, i64 noundef %2401) #10
-  %2402 = load ptr, ptr %89, align 8
-  %2403 = load i64, ptr %2402, align 8
-  %2404 = icmp eq i64 %2403, 1
-  br i1 %2404, label %2405, label %2413
+2404:                                             ; preds = %2400, %2389, %2377
+  %2405 = phi i1 [ %2378, %2377 ], [ %2402, %2400 ], [ %2383, %2389 ]
+  %2406 = zext i1 %2405 to i32
+  br label %2437
 
-2405:                                             ; preds = %2384
-  %2406 = load double, ptr %2378, align 8
-  %2407 = getelementptr inbounds i8, ptr %2402, i64 56
-  %2408 = load i64, ptr %2407, align 8
-  %2409 = inttoptr i64 %2408 to ptr
-  %2410 = tail call i64 %2409(ptr noundef %0, double noundef %2406, ptr noundef %2388, ptr noundef null) #11
-  %2411 = icmp eq i64 %2410, 0
-  %2412 = select i1 %2411, i64 %2376, i64 %2410
-  br i1 %2411, label %2413, label %2421
+2407:                                             ; preds = %2349, %2407
+  %2408 = phi i64 [ 0, %2349 ], [ %2434, %2407 ]
+  %2409 = load ptr, ptr %300, align 8
+  %2410 = getelementptr inbounds double, ptr %2409, i64 %2408
+  %2411 = load double, ptr %2410, align 8
+  %2412 = load ptr, ptr %191, align 8
+  %2413 = getelementptr inbounds double, ptr %2412, i64 %2408
+  %2414 = load double, ptr %2413, align 8
+  %2415 = fsub double %2411, %2414
+  %2416 = tail call double @llvm.fabs.f64(double %2415)
+  %2417 = getelementptr inbounds double, ptr %2341, i64 %2408
+  %2418 = load double, ptr %2417, align 8
+  %2419 = tail call double @llvm.fabs.f64(double %2418)
+  %2420 = getelementptr double, ptr %2350, i64 %2408
+  %2421 = load double, ptr %2420, align 8
+  %2422 = tail call double @llvm.fabs.f64(double %2421)
+  %2423 = fcmp ogt double %2419, %2422
+  %2424 = select i1 %2423, double %2419, double %2422
+  %2425 = getelementptr double, ptr %2352, i64 %2408
+  %2426 = load double, ptr %2425, align 8
+  %2427 = tail call double @llvm.fabs.f64(double %2426)
+  %2428 = fcmp ogt double %2424, %2427
+  %2429 = select i1 %2428, double %2424, double %2427
+  %2430 = fcmp ogt double %2429, %2416
+  %2431 = select i1 %2430, double %2429, double %2416
+  %2432 = fmul double %2431, 8.000000e+00
+  %2433 = getelementptr inbounds double, ptr %2340, i64 %2408
+  store double %2432, ptr %2433, align 8
+  %2434 = add nuw nsw i64 %2408, 1
+  %2435 = load i64, ptr %2346, align 8
+  %2436 = icmp slt i64 %2434, %2435
+  br i1 %2436, label %2407, label %2353, !llvm.loop !61
 
-2413:                                             ; preds = %2405, %2384
-  %2414 = phi i64 [ %2412, %2405 ], [ %2376, %2384 ]
-  %2415 = add i64 %2377, 1
-  %2416 = icmp eq i64 %2415, %2369
-  br i1 %2416, label %2417, label %2375, !llvm.loop !61
+2437:                                             ; preds = %2404, %2353, %2332
+  %2438 = phi i32 [ 0, %2332 ], [ 0, %2353 ], [ %2406, %2404 ]
+  %2439 = icmp eq i32 %2438, 0
+  br label %2440
 
-2417:                                             ; preds = %2413, %2375, %2364
-  %2418 = phi i64 [ %2373, %2364 ], [ %2369, %2413 ], [ %2377, %2375 ]
-  %2419 = load ptr, ptr %85, align 8
-  %2420 = getelementptr inbounds i8, ptr %2419, i64 48
-  store i64 %2418, ptr %2420, align 8
-  br label %2421
+2440:                                             ; preds = %2437, %2331
+  %2441 = phi i1 [ false, %2331 ], [ %2439, %2437 ]
+  br i1 %2441, label %2447, label %2442
 
-2421:                                             ; preds = %2405, %2417, %2360
-  %2422 = phi i64 [ %2363, %2360 ], [ 0, %2417 ], [ %2412, %2405 ]
-  %2423 = icmp eq i64 %2422, 0
-  %2424 = icmp ne i64 %2353, 0
-  %2425 = fcmp olt double %2352, 1.000000e+00
-  %2426 = and i1 %2425, %2423
-  %2427 = and i1 %2424, %2426
-  br i1 %2427, label %2428, label %2465
+2442:                                             ; preds = %2440
+  %2443 = load i64, ptr %550, align 8
+  %2444 = getelementptr inbounds double, ptr %341, i64 %2443
+  %2445 = load double, ptr %2444, align 8
+  %2446 = fcmp ugt double %2445, %643
+  br i1 %2446, label %2672, label %2447
 
-2428:                                             ; preds = %2421
-  %2429 = load ptr, ptr %198, align 8
-  %2430 = load ptr, ptr %199, align 8
-  %2431 = insertelement <8 x double> poison, double %2352, i64 0
-  %2432 = shufflevector <8 x double> %2431, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %2432, ptr %2430, align 8
-  %2433 = load ptr, ptr %82, align 8
-  %2434 = load ptr, ptr %176, align 8
-  %2435 = load i64, ptr %174, align 8
-  %2436 = load ptr, ptr %0, align 8
-  %2437 = getelementptr inbounds i8, ptr %2436, i64 24
-  %2438 = load i64, ptr %2437, align 8
-  %2439 = load ptr, ptr %199, align 8
-  %2440 = load ptr, ptr %81, align 8
-  %2441 = getelementptr inbounds i8, ptr %2440, i64 16
-  %2442 = load i64, ptr %2441, align 8
-  tail call fastcc void @nested(ptr noundef %2429, ptr noundef %2433, ptr noundef %2434, i64 noundef %2435, i64 noundef %2438, ptr noundef %2439, i64 noundef %2442) #10
-  %2443 = load i64, ptr %200, align 8
-  %2444 = icmp sgt i64 %2443, 0
-  br i1 %2444, label %2449, label %2445
+2447:                                             ; preds = %2442, %2440
+  %2448 = load ptr, ptr %193, align 8
+  br i1 %2441, label %2449, label %2460
 
-2445:                                             ; preds = %2449, %2428
-  %2446 = load ptr, ptr %89, align 8
-  %2447 = load i64, ptr %2446, align 8
-  %2448 = icmp eq i64 %2447, 1
-  br i1 %2448, label %2459, label %2465
+2449:                                             ; preds = %2447
+  %2450 = load ptr, ptr %199, align 8
+  %2451 = getelementptr inbounds i8, ptr %2450, i64 16
+  %2452 = load i64, ptr %2451, align 8
+  %2453 = inttoptr i64 %2452 to ptr
+  %2454 = tail call i64 %2453(ptr noundef %0, double noundef %567, double noundef %644) #10
+  %2455 = icmp eq i64 %2454, -6
+  br i1 %2455, label %2456, label %2457
 
-2449:                                             ; preds = %2428, %2449
-  %2450 = phi i64 [ %2456, %2449 ], [ 0, %2428 ]
-  %2451 = load ptr, ptr %198, align 8
-  %2452 = getelementptr inbounds double, ptr %2451, i64 %2450
-  %2453 = load double, ptr %2452, align 8
-  %2454 = load ptr, ptr %201, align 8
-  %2455 = getelementptr inbounds double, ptr %2454, i64 %2450
-  store double %2453, ptr %2455, align 8
-  %2456 = add nuw nsw i64 %2450, 1
-  %2457 = load i64, ptr %200, align 8
-  %2458 = icmp slt i64 %2456, %2457
-  br i1 %2458, label %2449, label %2445, !llvm.loop !62
+2456:                                             ; preds = %2449
+  store double %567, ptr %2448, align 8
+  br label %2635
 
-2459:                                             ; preds = %2445
-  %2460 = load ptr, ptr %202, align 8
-  %2461 = getelementptr inbounds i8, ptr %2446, i64 56
-  %2462 = load i64, ptr %2461, align 8
-  %2463 = inttoptr i64 %2462 to ptr
-  %2464 = tail call i64 %2463(ptr noundef %0, double noundef %2361, ptr noundef %2460, ptr noundef null) #11
-  br label %2465
+2457:                                             ; preds = %2449
+  %2458 = getelementptr inbounds i8, ptr %2448, i64 48
+  %2459 = load double, ptr %2458, align 8
+  br label %2460
 
-2465:                                             ; preds = %2459, %2445, %2421
-  %2466 = phi i64 [ %2464, %2459 ], [ 0, %2445 ], [ %2422, %2421 ]
-  %2467 = icmp eq i64 %2466, 0
-  br i1 %2467, label %2470, label %2468
+2460:                                             ; preds = %2457, %2447
+  %2461 = phi double [ %2459, %2457 ], [ 1.000000e+00, %2447 ]
+  %2462 = phi i64 [ %2454, %2457 ], [ 0, %2447 ]
+  %2463 = fcmp oeq double %2461, 1.000000e+00
+  br i1 %2463, label %2464, label %2466
 
-2468:                                             ; preds = %2465
-  store double %458, ptr %2339, align 8
-  %2469 = getelementptr inbounds i8, ptr %2339, i64 8
-  store double %535, ptr %2469, align 8
-  br label %2526
+2464:                                             ; preds = %2460
+  %2465 = load double, ptr %2448, align 8
+  br label %2469
 
-2470:                                             ; preds = %2465
-  br i1 %2354, label %2471, label %2509
+2466:                                             ; preds = %2460
+  %2467 = fmul double %644, %2461
+  %2468 = fadd double %567, %2467
+  br label %2469
 
-2471:                                             ; preds = %2470
-  %2472 = load ptr, ptr %203, align 8
-  %2473 = load ptr, ptr %81, align 8
-  %2474 = getelementptr inbounds i8, ptr %2473, i64 8
-  %2475 = load i64, ptr %2474, align 8
-  %2476 = load i64, ptr %87, align 8
-  %2477 = load ptr, ptr %86, align 8
-  %2478 = load ptr, ptr %85, align 8
-  %2479 = getelementptr inbounds i8, ptr %2478, i64 48
-  %2480 = load i64, ptr %2479, align 8
-  %2481 = icmp slt i64 %2480, %2476
-  br i1 %2481, label %2482, label %2505
+2469:                                             ; preds = %2466, %2464
+  %2470 = phi double [ %2465, %2464 ], [ %2468, %2466 ]
+  %2471 = icmp eq i64 %2462, -4
+  %2472 = select i1 %2471, i64 -4, i64 0
+  br i1 %2471, label %2530, label %2473
 
-2482:                                             ; preds = %2471
-  %2483 = icmp sgt i64 %2475, 0
-  br label %2484
+2473:                                             ; preds = %2469
+  %2474 = fcmp olt double %2461, 1.000000e+00
+  %2475 = load ptr, ptr %190, align 8
+  %2476 = getelementptr inbounds i8, ptr %2475, i64 8
+  %2477 = load i64, ptr %2476, align 8
+  %2478 = load i64, ptr %196, align 8
+  %2479 = load ptr, ptr %195, align 8
+  %2480 = load ptr, ptr %194, align 8
+  %2481 = getelementptr inbounds i8, ptr %2480, i64 48
+  %2482 = load i64, ptr %2481, align 8
+  %2483 = icmp slt i64 %2482, %2478
+  br i1 %2483, label %2484, label %2526
 
-2484:                                             ; preds = %2482, %2495
-  %2485 = phi i64 [ %2480, %2482 ], [ %2496, %2495 ]
-  %2486 = getelementptr inbounds double, ptr %2477, i64 %2485
-  %2487 = load double, ptr %2486, align 8
-  %2488 = load ptr, ptr %84, align 8
-  %2489 = load double, ptr %2488, align 8
-  %2490 = fcmp ugt double %2487, %2489
-  br i1 %2490, label %2505, label %2491
+2484:                                             ; preds = %2473, %2522
+  %2485 = phi i64 [ %2523, %2522 ], [ undef, %2473 ]
+  %2486 = phi i64 [ %2524, %2522 ], [ %2482, %2473 ]
+  %2487 = getelementptr inbounds double, ptr %2479, i64 %2486
+  %2488 = load double, ptr %2487, align 8
+  %2489 = fcmp olt double %2488, %2470
+  %2490 = fcmp oeq double %2488, %2470
+  %2491 = and i1 %2474, %2490
+  %2492 = or i1 %2489, %2491
+  br i1 %2492, label %2493, label %2526
 
-2491:                                             ; preds = %2484
-  br i1 %2483, label %2492, label %2495
+2493:                                             ; preds = %2484
+  %2494 = fsub double %2488, %567
+  %2495 = fdiv double %2494, %644
+  %2496 = mul nsw i64 %2486, %2477
+  %2497 = getelementptr inbounds double, ptr %1, i64 %2496
+  %2498 = load ptr, ptr %306, align 8
+  %2499 = insertelement <8 x double> poison, double %2495, i64 0
+  %2500 = shufflevector <8 x double> %2499, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %2500, ptr %2498, align 8
+  %2501 = load ptr, ptr %191, align 8
+  %2502 = load ptr, ptr %285, align 8
+  %2503 = load i64, ptr %283, align 8
+  %2504 = load ptr, ptr %0, align 8
+  %2505 = getelementptr inbounds i8, ptr %2504, i64 24
+  %2506 = load i64, ptr %2505, align 8
+  %2507 = load ptr, ptr %306, align 8
+  %2508 = load ptr, ptr %190, align 8
+  %2509 = getelementptr inbounds i8, ptr %2508, i64 16
+  %2510 = load i64, ptr %2509, align 8
+  tail call fastcc void @nested(ptr noundef %2497, ptr noundef %2501, ptr noundef %2502, i64 noundef %2503, i64 noundef %2506, ptr noundef %2507, i64 noundef %2510) #11
+  %2511 = load ptr, ptr %198, align 8
+  %2512 = load i64, ptr %2511, align 8
+  %2513 = icmp eq i64 %2512, 1
+  br i1 %2513, label %2514, label %2522
 
-2492:                                             ; preds = %2491
-  %2493 = mul nsw i64 %2485, %2475
-  %2494 = getelementptr double, ptr %1, i64 %2493
-  br label %2498
+2514:                                             ; preds = %2493
+  %2515 = load double, ptr %2487, align 8
+  %2516 = getelementptr inbounds i8, ptr %2511, i64 56
+  %2517 = load i64, ptr %2516, align 8
+  %2518 = inttoptr i64 %2517 to ptr
+  %2519 = tail call i64 %2518(ptr noundef %0, double noundef %2515, ptr noundef %2497, ptr noundef null) #10
+  %2520 = icmp eq i64 %2519, 0
+  %2521 = select i1 %2520, i64 %2485, i64 %2519
+  br i1 %2520, label %2522, label %2530
 
-2495:                                             ; preds = %2498, %2491
-  %2496 = add i64 %2485, 1
-  %2497 = icmp eq i64 %2496, %2476
-  br i1 %2497, label %2505, label %2484, !llvm.loop !13
+2522:                                             ; preds = %2514, %2493
+  %2523 = phi i64 [ %2521, %2514 ], [ %2485, %2493 ]
+  %2524 = add i64 %2486, 1
+  %2525 = icmp eq i64 %2524, %2478
+  br i1 %2525, label %2526, label %2484, !llvm.loop !62
 
-2498:                                             ; preds = %2492, %2498
-  %2499 = phi i64 [ 0, %2492 ], [ %2503, %2498 ]
-  %2500 = getelementptr inbounds double, ptr %2472, i64 %2499
-  %2501 = load double, ptr %2500, align 8
-  %2502 = getelementptr double, ptr %2494, i64 %2499
-  store double %2501, ptr %2502, align 8
-  %2503 = add nuw nsw i64 %2499, 1
-  %2504 = icmp eq i64 %2503, %2475
-  br i1 %2504, label %2495, label %2498, !llvm.loop !14
+2526:                                             ; preds = %2522, %2484, %2473
+  %2527 = phi i64 [ %2482, %2473 ], [ %2478, %2522 ], [ %2486, %2484 ]
+  %2528 = load ptr, ptr %194, align 8
+  %2529 = getelementptr inbounds i8, ptr %2528, i64 48
+  store i64 %2527, ptr %2529, align 8
+  br label %2530
 
-2505:                                             ; preds = %2495, %2484, %2471
-  %2506 = phi i64 [ %2480, %2471 ], [ %2476, %2495 ], [ %2485, %2484 ]
-  %2507 = load ptr, ptr %85, align 8
-  %2508 = getelementptr inbounds i8, ptr %2507, i64 48
-  store i64 %2506, ptr %2508, align 8
-  br label %2509
+2530:                                             ; preds = %2514, %2526, %2469
+  %2531 = phi i64 [ %2472, %2469 ], [ 0, %2526 ], [ %2521, %2514 ]
+  %2532 = icmp eq i64 %2531, 0
+  %2533 = icmp ne i64 %2462, 0
+  %2534 = fcmp olt double %2461, 1.000000e+00
+  %2535 = and i1 %2534, %2532
+  %2536 = and i1 %2533, %2535
+  br i1 %2536, label %2537, label %2574
 
-2509:                                             ; preds = %2505, %2470
-  br i1 %2424, label %2510, label %2526
+2537:                                             ; preds = %2530
+  %2538 = load ptr, ptr %307, align 8
+  %2539 = load ptr, ptr %308, align 8
+  %2540 = insertelement <8 x double> poison, double %2461, i64 0
+  %2541 = shufflevector <8 x double> %2540, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %2541, ptr %2539, align 8
+  %2542 = load ptr, ptr %191, align 8
+  %2543 = load ptr, ptr %285, align 8
+  %2544 = load i64, ptr %283, align 8
+  %2545 = load ptr, ptr %0, align 8
+  %2546 = getelementptr inbounds i8, ptr %2545, i64 24
+  %2547 = load i64, ptr %2546, align 8
+  %2548 = load ptr, ptr %308, align 8
+  %2549 = load ptr, ptr %190, align 8
+  %2550 = getelementptr inbounds i8, ptr %2549, i64 16
+  %2551 = load i64, ptr %2550, align 8
+  tail call fastcc void @nested(ptr noundef %2538, ptr noundef %2542, ptr noundef %2543, i64 noundef %2544, i64 noundef %2547, ptr noundef %2548, i64 noundef %2551) #11
+  %2552 = load i64, ptr %309, align 8
+  %2553 = icmp sgt i64 %2552, 0
+  br i1 %2553, label %2558, label %2554
 
-2510:                                             ; preds = %2509
-  %2511 = load i64, ptr %204, align 8
-  %2512 = icmp sgt i64 %2511, 0
-  br i1 %2512, label %2516, label %2513
+2554:                                             ; preds = %2558, %2537
+  %2555 = load ptr, ptr %198, align 8
+  %2556 = load i64, ptr %2555, align 8
+  %2557 = icmp eq i64 %2556, 1
+  br i1 %2557, label %2568, label %2574
 
-2513:                                             ; preds = %2516, %2510
-  store double %2361, ptr %2339, align 8
-  %2514 = getelementptr inbounds i8, ptr %2339, i64 8
-  store double 0.000000e+00, ptr %2514, align 8
-  %2515 = load ptr, ptr %85, align 8
-  store i64 0, ptr %2515, align 8
-  br label %2526
+2558:                                             ; preds = %2537, %2558
+  %2559 = phi i64 [ %2565, %2558 ], [ 0, %2537 ]
+  %2560 = load ptr, ptr %307, align 8
+  %2561 = getelementptr inbounds double, ptr %2560, i64 %2559
+  %2562 = load double, ptr %2561, align 8
+  %2563 = load ptr, ptr %310, align 8
+  %2564 = getelementptr inbounds double, ptr %2563, i64 %2559
+  store double %2562, ptr %2564, align 8
+  %2565 = add nuw nsw i64 %2559, 1
+  %2566 = load i64, ptr %309, align 8
+  %2567 = icmp slt i64 %2565, %2566
+  br i1 %2567, label %2558, label %2554, !llvm.loop !63
 
-2516:                                             ; preds = %2510, %2516
-  %2517 = phi i64 [ %2523, %2516 ], [ 0, %2510 ]
-  %2518 = load ptr, ptr %205, align 8
-  %2519 = getelementptr inbounds double, ptr %2518, i64 %2517
-  %2520 = load double, ptr %2519, align 8
-  %2521 = load ptr, ptr %82, align 8
-  %2522 = getelementptr inbounds double, ptr %2521, i64 %2517
-  store double %2520, ptr %2522, align 8
-  %2523 = add nuw nsw i64 %2517, 1
-  %2524 = load i64, ptr %204, align 8
-  %2525 = icmp slt i64 %2523, %2524
-  br i1 %2525, label %2516, label %2513, !llvm.loop !63
+2568:                                             ; preds = %2554
+  %2569 = load ptr, ptr %311, align 8
+  %2570 = getelementptr inbounds i8, ptr %2555, i64 56
+  %2571 = load i64, ptr %2570, align 8
+  %2572 = inttoptr i64 %2571 to ptr
+  %2573 = tail call i64 %2572(ptr noundef %0, double noundef %2470, ptr noundef %2569, ptr noundef null) #10
+  br label %2574
 
-2526:                                             ; preds = %2347, %2468, %2509, %2513
-  %2527 = phi i64 [ -6, %2347 ], [ %2466, %2468 ], [ %2353, %2513 ], [ %2353, %2509 ]
-  %2528 = icmp eq i64 %2527, -6
-  br i1 %2528, label %2532, label %2529
+2574:                                             ; preds = %2568, %2554, %2530
+  %2575 = phi i64 [ %2573, %2568 ], [ 0, %2554 ], [ %2531, %2530 ]
+  %2576 = icmp eq i64 %2575, 0
+  br i1 %2576, label %2579, label %2577
 
-2529:                                             ; preds = %2526
-  %2530 = icmp ne i64 %2527, 6
-  %2531 = select i1 %2530, i1 true, i1 %260
-  br i1 %2531, label %2557, label %2532
+2577:                                             ; preds = %2574
+  store double %567, ptr %2448, align 8
+  %2578 = getelementptr inbounds i8, ptr %2448, i64 8
+  store double %644, ptr %2578, align 8
+  br label %2635
 
-2532:                                             ; preds = %2529, %2526
-  %2533 = phi i64 [ %2527, %2529 ], [ 2, %2526 ]
-  %2534 = load i64, ptr %422, align 8
-  %2535 = add nsw i64 %2534, -1
-  store i64 %2535, ptr %422, align 8
-  %2536 = load ptr, ptr %101, align 8
-  %2537 = load i64, ptr %2536, align 8
-  %2538 = add nsw i64 %2537, -1
-  store i64 %2538, ptr %2536, align 8
-  %2539 = load ptr, ptr %83, align 8
-  %2540 = getelementptr inbounds i8, ptr %2539, i64 32
-  %2541 = load i64, ptr %2540, align 8
-  %2542 = or i64 %2541, 1
-  store i64 %2542, ptr %2540, align 8
-  %2543 = load ptr, ptr %83, align 8
-  %2544 = getelementptr inbounds i8, ptr %2543, i64 8
-  %2545 = load i64, ptr %2544, align 8
-  %2546 = and i64 %2545, -2
-  %2547 = getelementptr inbounds i8, ptr %2543, i64 16
-  %2548 = load i64, ptr %2547, align 8
-  %2549 = and i64 %2548, 1
-  %2550 = or disjoint i64 %2549, %2546
-  %2551 = xor i64 %2550, 1
-  store i64 %2551, ptr %2544, align 8
-  %2552 = load ptr, ptr %178, align 8
-  %2553 = getelementptr inbounds i8, ptr %2552, i64 8
-  store double 0.000000e+00, ptr %2553, align 8
-  %2554 = load i64, ptr %423, align 8
-  %2555 = add nsw i64 %2554, 1
-  store i64 %2555, ptr %423, align 8
-  store i64 %2533, ptr %445, align 8
-  %2556 = fmul double %535, 2.500000e-01
-  br label %2637, !llvm.loop !53
+2579:                                             ; preds = %2574
+  br i1 %2463, label %2580, label %2618
 
-2557:                                             ; preds = %2529
-  %2558 = icmp eq i64 %2527, 0
-  br i1 %2558, label %2563, label %2559
+2580:                                             ; preds = %2579
+  %2581 = load ptr, ptr %312, align 8
+  %2582 = load ptr, ptr %190, align 8
+  %2583 = getelementptr inbounds i8, ptr %2582, i64 8
+  %2584 = load i64, ptr %2583, align 8
+  %2585 = load i64, ptr %196, align 8
+  %2586 = load ptr, ptr %195, align 8
+  %2587 = load ptr, ptr %194, align 8
+  %2588 = getelementptr inbounds i8, ptr %2587, i64 48
+  %2589 = load i64, ptr %2588, align 8
+  %2590 = icmp slt i64 %2589, %2585
+  br i1 %2590, label %2591, label %2614
 
-2559:                                             ; preds = %2557
-  %2560 = load ptr, ptr %101, align 8
-  %2561 = load i64, ptr %2560, align 8
-  %2562 = add nsw i64 %2561, 1
-  store i64 %2562, ptr %2560, align 8
-  br label %2637
+2591:                                             ; preds = %2580
+  %2592 = icmp sgt i64 %2584, 0
+  br label %2593
 
-2563:                                             ; preds = %2557, %2333
-  %2564 = icmp eq i64 %552, 0
-  br i1 %2564, label %2584, label %2565
+2593:                                             ; preds = %2591, %2604
+  %2594 = phi i64 [ %2589, %2591 ], [ %2605, %2604 ]
+  %2595 = getelementptr inbounds double, ptr %2586, i64 %2594
+  %2596 = load double, ptr %2595, align 8
+  %2597 = load ptr, ptr %193, align 8
+  %2598 = load double, ptr %2597, align 8
+  %2599 = fcmp ugt double %2596, %2598
+  br i1 %2599, label %2614, label %2600
 
-2565:                                             ; preds = %2563
-  %2566 = load i64, ptr %206, align 8
-  %2567 = icmp eq i64 %2566, 0
-  br i1 %2567, label %2584, label %2568
+2600:                                             ; preds = %2593
+  br i1 %2592, label %2601, label %2604
 
-2568:                                             ; preds = %2565
-  %2569 = tail call fastcc double @knot_after(ptr noundef nonnull %81, double noundef %458) #10
-  %2570 = fmul double %535, 1.000000e-03
-  %2571 = fsub double %534, %2570
-  %2572 = tail call double @llvm.fabs.f64(double %534)
-  %2573 = fmul double %2572, 0x3D10000000000000
-  %2574 = fsub double %2571, %2573
-  %2575 = fcmp ogt double %2574, %2569
-  %2576 = fadd double %534, %2573
-  %2577 = fcmp ogt double %2569, %2576
-  %2578 = or i1 %2575, %2577
-  br i1 %2578, label %2584, label %2579
+2601:                                             ; preds = %2600
+  %2602 = mul nsw i64 %2594, %2584
+  %2603 = getelementptr double, ptr %1, i64 %2602
+  br label %2607
 
-2579:                                             ; preds = %2568
-  %2580 = tail call fastcc double @knot_after(ptr noundef nonnull %81, double noundef %534) #10
-  %2581 = fsub double %2580, %534
-  %2582 = fcmp olt double %2581, %1995
-  %2583 = select i1 %2582, double %2581, double %1995
-  br label %2584
+2604:                                             ; preds = %2607, %2600
+  %2605 = add i64 %2594, 1
+  %2606 = icmp eq i64 %2605, %2585
+  br i1 %2606, label %2614, label %2593, !llvm.loop !14
 
-2584:                                             ; preds = %2579, %2568, %2565, %2563
-  %2585 = phi double [ %1995, %2563 ], [ %1995, %2565 ], [ %2583, %2579 ], [ %1995, %2568 ]
-  br i1 %442, label %2616, label %2586
+2607:                                             ; preds = %2601, %2607
+  %2608 = phi i64 [ 0, %2601 ], [ %2612, %2607 ]
+  %2609 = getelementptr inbounds double, ptr %2581, i64 %2608
+  %2610 = load double, ptr %2609, align 8
+  %2611 = getelementptr double, ptr %2603, i64 %2608
+  store double %2610, ptr %2611, align 8
+  %2612 = add nuw nsw i64 %2608, 1
+  %2613 = icmp eq i64 %2612, %2584
+  br i1 %2613, label %2604, label %2607, !llvm.loop !15
 
-2586:                                             ; preds = %2616, %2584
-  %2587 = load i64, ptr %102, align 8
-  %2588 = icmp sgt i64 %2587, 0
-  br i1 %2588, label %2589, label %2591
+2614:                                             ; preds = %2604, %2593, %2580
+  %2615 = phi i64 [ %2589, %2580 ], [ %2585, %2604 ], [ %2594, %2593 ]
+  %2616 = load ptr, ptr %194, align 8
+  %2617 = getelementptr inbounds i8, ptr %2616, i64 48
+  store i64 %2615, ptr %2617, align 8
+  br label %2618
 
-2589:                                             ; preds = %2586
-  %2590 = load ptr, ptr %208, align 8
-  store double 0x7FF0000000000000, ptr %2590, align 8
-  br label %2591
+2618:                                             ; preds = %2614, %2579
+  br i1 %2533, label %2619, label %2635
 
-2591:                                             ; preds = %2586, %2589
-  %2592 = load i64, ptr %436, align 8
-  %2593 = add nsw i64 %2592, 1
-  store i64 %2593, ptr %436, align 8
-  %2594 = load ptr, ptr %82, align 8
-  %2595 = load ptr, ptr %209, align 8
-  %2596 = load ptr, ptr %210, align 8
-  store double %534, ptr %2596, align 8
-  %2597 = load ptr, ptr %81, align 8
-  %2598 = getelementptr inbounds i8, ptr %2597, i64 40
-  %2599 = load i64, ptr %2598, align 8
-  %2600 = icmp eq i64 %2599, 0
-  br i1 %2600, label %2602, label %2601
+2619:                                             ; preds = %2618
+  %2620 = load i64, ptr %313, align 8
+  %2621 = icmp sgt i64 %2620, 0
+  br i1 %2621, label %2625, label %2622
 
-2601:                                             ; preds = %2591
-  tail call fastcc void @settle(ptr noundef nonnull %81) #10
-  br label %2602
+2622:                                             ; preds = %2625, %2619
+  store double %2470, ptr %2448, align 8
+  %2623 = getelementptr inbounds i8, ptr %2448, i64 8
+  store double 0.000000e+00, ptr %2623, align 8
+  %2624 = load ptr, ptr %194, align 8
+  store i64 0, ptr %2624, align 8
+  br label %2635
 
-2602:                                             ; preds = %2601, %2591
-  %2603 = load i64, ptr %211, align 8
-  %2604 = icmp sgt i64 %2603, 0
-  br i1 %2604, label %2605, label %2606
+2625:                                             ; preds = %2619, %2625
+  %2626 = phi i64 [ %2632, %2625 ], [ 0, %2619 ]
+  %2627 = load ptr, ptr %314, align 8
+  %2628 = getelementptr inbounds double, ptr %2627, i64 %2626
+  %2629 = load double, ptr %2628, align 8
+  %2630 = load ptr, ptr %191, align 8
+  %2631 = getelementptr inbounds double, ptr %2630, i64 %2626
+  store double %2629, ptr %2631, align 8
+  %2632 = add nuw nsw i64 %2626, 1
+  %2633 = load i64, ptr %313, align 8
+  %2634 = icmp slt i64 %2632, %2633
+  br i1 %2634, label %2625, label %2622, !llvm.loop !64
 
-2605:                                             ; preds = %2602
-  tail call fastcc void @sample(ptr noundef nonnull %81) #10
-  br label %2606
+2635:                                             ; preds = %2456, %2577, %2618, %2622
+  %2636 = phi i64 [ -6, %2456 ], [ %2575, %2577 ], [ %2462, %2622 ], [ %2462, %2618 ]
+  %2637 = icmp eq i64 %2636, -6
+  br i1 %2637, label %2641, label %2638
 
-2606:                                             ; preds = %2602, %2605
-  %2607 = load ptr, ptr %81, align 8
-  %2608 = load i64, ptr %2607, align 8
-  %2609 = load ptr, ptr %210, align 8
-  %2610 = load ptr, ptr %212, align 8
-  %2611 = load ptr, ptr %213, align 8
-  %2612 = inttoptr i64 %2608 to ptr
-  %2613 = load ptr, ptr %2612, align 8
-  %2614 = tail call i32 %2613(ptr noundef %2609, ptr noundef %2594, ptr noundef %2610, ptr noundef %2611, ptr noundef %2595) #11
-  %2615 = icmp eq i32 %2614, 0
-  br i1 %2615, label %2628, label %2625
+2638:                                             ; preds = %2635
+  %2639 = icmp ne i64 %2636, 6
+  %2640 = select i1 %2639, i1 true, i1 %369
+  br i1 %2640, label %2666, label %2641
 
-2616:                                             ; preds = %2584, %2616
-  %2617 = phi i64 [ %2623, %2616 ], [ 0, %2584 ]
-  %2618 = load ptr, ptr %207, align 8
-  %2619 = getelementptr inbounds double, ptr %2618, i64 %2617
-  %2620 = load double, ptr %2619, align 8
-  %2621 = load ptr, ptr %82, align 8
-  %2622 = getelementptr inbounds double, ptr %2621, i64 %2617
-  store double %2620, ptr %2622, align 8
-  %2623 = add nuw nsw i64 %2617, 1
-  %2624 = icmp eq i64 %2623, %231
-  br i1 %2624, label %2586, label %2616, !llvm.loop !64
+2641:                                             ; preds = %2638, %2635
+  %2642 = phi i64 [ %2636, %2638 ], [ 2, %2635 ]
+  %2643 = load i64, ptr %531, align 8
+  %2644 = add nsw i64 %2643, -1
+  store i64 %2644, ptr %531, align 8
+  %2645 = load ptr, ptr %210, align 8
+  %2646 = load i64, ptr %2645, align 8
+  %2647 = add nsw i64 %2646, -1
+  store i64 %2647, ptr %2645, align 8
+  %2648 = load ptr, ptr %192, align 8
+  %2649 = getelementptr inbounds i8, ptr %2648, i64 32
+  %2650 = load i64, ptr %2649, align 8
+  %2651 = or i64 %2650, 1
+  store i64 %2651, ptr %2649, align 8
+  %2652 = load ptr, ptr %192, align 8
+  %2653 = getelementptr inbounds i8, ptr %2652, i64 8
+  %2654 = load i64, ptr %2653, align 8
+  %2655 = and i64 %2654, -2
+  %2656 = getelementptr inbounds i8, ptr %2652, i64 16
+  %2657 = load i64, ptr %2656, align 8
+  %2658 = and i64 %2657, 1
+  %2659 = or disjoint i64 %2658, %2655
+  %2660 = xor i64 %2659, 1
+  store i64 %2660, ptr %2653, align 8
+  %2661 = load ptr, ptr %287, align 8
+  %2662 = getelementptr inbounds i8, ptr %2661, i64 8
+  store double 0.000000e+00, ptr %2662, align 8
+  %2663 = load i64, ptr %532, align 8
+  %2664 = add nsw i64 %2663, 1
+  store i64 %2664, ptr %532, align 8
+  store i64 %2642, ptr %554, align 8
+  %2665 = fmul double %644, 2.500000e-01
+  br label %2746, !llvm.loop !54
 
-2625:                                             ; preds = %2606
-  store i64 3, ptr %443, align 8
-  store double %535, ptr %262, align 8
-  %2626 = icmp slt i32 %2614, 0
-  %2627 = select i1 %2626, i64 -4, i64 2
-  br label %2637
+2666:                                             ; preds = %2638
+  %2667 = icmp eq i64 %2636, 0
+  br i1 %2667, label %2672, label %2668
 
-2628:                                             ; preds = %2606
-  %2629 = fcmp oeq double %534, %524
-  %2630 = fcmp ogt double %459, %2585
-  %2631 = select i1 %2629, i1 %2630, i1 false
-  %2632 = select i1 %2631, double %459, double %2585
-  %2633 = load i64, ptr %444, align 8
-  %2634 = load i64, ptr %87, align 8
-  %2635 = icmp eq i64 %2633, %2634
-  br i1 %2635, label %2636, label %2637
+2668:                                             ; preds = %2666
+  %2669 = load ptr, ptr %210, align 8
+  %2670 = load i64, ptr %2669, align 8
+  %2671 = add nsw i64 %2670, 1
+  store i64 %2671, ptr %2669, align 8
+  br label %2746
 
-2636:                                             ; preds = %2628
-  store double %2632, ptr %262, align 8
-  br label %2637
+2672:                                             ; preds = %2666, %2442
+  %2673 = icmp eq i64 %661, 0
+  br i1 %2673, label %2693, label %2674
 
-2637:                                             ; preds = %1985, %2011, %2045, %2532, %2559, %2625, %2628, %2636, %2018, %2021, %2029, %2033, %541
-  %2638 = phi double [ %465, %541 ], [ %1986, %2033 ], [ %1986, %2029 ], [ %1986, %2021 ], [ %1986, %2018 ], [ %1986, %2636 ], [ %1986, %2628 ], [ %1986, %2625 ], [ %1986, %2559 ], [ %1986, %2532 ], [ %1986, %2045 ], [ %1986, %2011 ], [ %1986, %1985 ]
-  %2639 = phi double [ %464, %541 ], [ %1987, %2033 ], [ %1987, %2029 ], [ %1987, %2021 ], [ %1987, %2018 ], [ %1987, %2636 ], [ %1987, %2628 ], [ %1987, %2625 ], [ %1987, %2559 ], [ %1987, %2532 ], [ %1987, %2045 ], [ %1987, %2011 ], [ %1987, %1985 ]
-  %2640 = phi double [ %463, %541 ], [ %1988, %2033 ], [ %1988, %2029 ], [ %1988, %2021 ], [ %1988, %2018 ], [ %1988, %2636 ], [ %1988, %2628 ], [ %1988, %2625 ], [ %1988, %2559 ], [ %1988, %2532 ], [ %1988, %2045 ], [ %1988, %2011 ], [ %1988, %1985 ]
-  %2641 = phi i64 [ %462, %541 ], [ %1989, %2033 ], [ %1989, %2029 ], [ %1989, %2021 ], [ %1989, %2018 ], [ %1989, %2636 ], [ %1989, %2628 ], [ %1989, %2625 ], [ %1989, %2559 ], [ %1989, %2532 ], [ %1989, %2045 ], [ %1989, %2011 ], [ %1989, %1985 ]
-  %2642 = phi i64 [ %461, %541 ], [ %1990, %2033 ], [ %1990, %2029 ], [ %1990, %2021 ], [ %1990, %2018 ], [ %1990, %2636 ], [ %1990, %2628 ], [ %1990, %2625 ], [ %1990, %2559 ], [ %1990, %2532 ], [ %1990, %2045 ], [ %1990, %2011 ], [ %1990, %1985 ]
-  %2643 = phi i64 [ %460, %541 ], [ %1991, %2033 ], [ %1991, %2029 ], [ %1991, %2021 ], [ %1991, %2018 ], [ %1991, %2636 ], [ %1991, %2628 ], [ %1991, %2625 ], [ %1991, %2559 ], [ %1991, %2532 ], [ %1991, %2045 ], [ %1991, %2011 ], [ %1991, %1985 ]
-  %2644 = phi double [ %459, %541 ], [ %2034, %2033 ], [ %1995, %2029 ], [ %1995, %2021 ], [ %1995, %2018 ], [ %2632, %2636 ], [ %2632, %2628 ], [ %2585, %2625 ], [ %1995, %2559 ], [ %2556, %2532 ], [ %2048, %2045 ], [ %1995, %2011 ], [ %459, %1985 ]
-  %2645 = phi double [ %458, %541 ], [ %458, %2033 ], [ %458, %2029 ], [ %458, %2021 ], [ %458, %2018 ], [ %534, %2636 ], [ %534, %2628 ], [ %534, %2625 ], [ %458, %2559 ], [ %458, %2532 ], [ %458, %2045 ], [ %458, %2011 ], [ %458, %1985 ]
-  %2646 = phi i32 [ 1, %541 ], [ 3, %2033 ], [ 3, %2029 ], [ 3, %2021 ], [ 3, %2018 ], [ 1, %2636 ], [ 0, %2628 ], [ 1, %2625 ], [ 1, %2559 ], [ 3, %2532 ], [ 3, %2045 ], [ 3, %2011 ], [ 1, %1985 ]
-  %2647 = phi i64 [ 2, %541 ], [ %457, %2033 ], [ %457, %2029 ], [ %457, %2021 ], [ %457, %2018 ], [ 0, %2636 ], [ %457, %2628 ], [ %2627, %2625 ], [ %2527, %2559 ], [ %457, %2532 ], [ %457, %2045 ], [ %457, %2011 ], [ -4, %1985 ]
-  switch i32 %2646, label %2651 [
-    i32 0, label %2648
-    i32 3, label %2648
+2674:                                             ; preds = %2672
+  %2675 = load i64, ptr %315, align 8
+  %2676 = icmp eq i64 %2675, 0
+  br i1 %2676, label %2693, label %2677
+
+2677:                                             ; preds = %2674
+  %2678 = tail call fastcc double @knot_after(ptr noundef nonnull %190, double noundef %567) #11
+  %2679 = fmul double %644, 1.000000e-03
+  %2680 = fsub double %643, %2679
+  %2681 = tail call double @llvm.fabs.f64(double %643)
+  %2682 = fmul double %2681, 0x3D10000000000000
+  %2683 = fsub double %2680, %2682
+  %2684 = fcmp ogt double %2683, %2678
+  %2685 = fadd double %643, %2682
+  %2686 = fcmp ogt double %2678, %2685
+  %2687 = or i1 %2684, %2686
+  br i1 %2687, label %2693, label %2688
+
+2688:                                             ; preds = %2677
+  %2689 = tail call fastcc double @knot_after(ptr noundef nonnull %190, double noundef %643) #11
+  %2690 = fsub double %2689, %643
+  %2691 = fcmp olt double %2690, %2104
+  %2692 = select i1 %2691, double %2690, double %2104
+  br label %2693
+
+2693:                                             ; preds = %2688, %2677, %2674, %2672
+  %2694 = phi double [ %2104, %2672 ], [ %2104, %2674 ], [ %2692, %2688 ], [ %2104, %2677 ]
+  br i1 %551, label %2725, label %2695
+
+2695:                                             ; preds = %2725, %2693
+  %2696 = load i64, ptr %211, align 8
+  %2697 = icmp sgt i64 %2696, 0
+  br i1 %2697, label %2698, label %2700
+
+2698:                                             ; preds = %2695
+  %2699 = load ptr, ptr %317, align 8
+  store double 0x7FF0000000000000, ptr %2699, align 8
+  br label %2700
+
+2700:                                             ; preds = %2695, %2698
+  %2701 = load i64, ptr %545, align 8
+  %2702 = add nsw i64 %2701, 1
+  store i64 %2702, ptr %545, align 8
+  %2703 = load ptr, ptr %191, align 8
+  %2704 = load ptr, ptr %318, align 8
+  %2705 = load ptr, ptr %319, align 8
+  store double %643, ptr %2705, align 8
+  %2706 = load ptr, ptr %190, align 8
+  %2707 = getelementptr inbounds i8, ptr %2706, i64 40
+  %2708 = load i64, ptr %2707, align 8
+  %2709 = icmp eq i64 %2708, 0
+  br i1 %2709, label %2711, label %2710
+
+2710:                                             ; preds = %2700
+  tail call fastcc void @settle(ptr noundef nonnull %190) #11
+  br label %2711
+
+2711:                                             ; preds = %2710, %2700
+  %2712 = load i64, ptr %320, align 8
+  %2713 = icmp sgt i64 %2712, 0
+  br i1 %2713, label %2714, label %2715
+
+2714:                                             ; preds = %2711
+  tail call fastcc void @sample(ptr noundef nonnull %190) #11
+  br label %2715
+
+2715:                                             ; preds = %2711, %2714
+  %2716 = load ptr, ptr %190, align 8
+  %2717 = load i64, ptr %2716, align 8
+  %2718 = load ptr, ptr %319, align 8
+  %2719 = load ptr, ptr %321, align 8
+  %2720 = load ptr, ptr %322, align 8
+  %2721 = inttoptr i64 %2717 to ptr
+  %2722 = load ptr, ptr %2721, align 8
+  %2723 = tail call i32 %2722(ptr noundef %2718, ptr noundef %2703, ptr noundef %2719, ptr noundef %2720, ptr noundef %2704) #10
+  %2724 = icmp eq i32 %2723, 0
+  br i1 %2724, label %2737, label %2734
+
+2725:                                             ; preds = %2693, %2725
+  %2726 = phi i64 [ %2732, %2725 ], [ 0, %2693 ]
+  %2727 = load ptr, ptr %316, align 8
+  %2728 = getelementptr inbounds double, ptr %2727, i64 %2726
+  %2729 = load double, ptr %2728, align 8
+  %2730 = load ptr, ptr %191, align 8
+  %2731 = getelementptr inbounds double, ptr %2730, i64 %2726
+  store double %2729, ptr %2731, align 8
+  %2732 = add nuw nsw i64 %2726, 1
+  %2733 = icmp eq i64 %2732, %340
+  br i1 %2733, label %2695, label %2725, !llvm.loop !65
+
+2734:                                             ; preds = %2715
+  store i64 3, ptr %552, align 8
+  store double %644, ptr %371, align 8
+  %2735 = icmp slt i32 %2723, 0
+  %2736 = select i1 %2735, i64 -4, i64 2
+  br label %2746
+
+2737:                                             ; preds = %2715
+  %2738 = fcmp oeq double %643, %633
+  %2739 = fcmp ogt double %568, %2694
+  %2740 = select i1 %2738, i1 %2739, i1 false
+  %2741 = select i1 %2740, double %568, double %2694
+  %2742 = load i64, ptr %553, align 8
+  %2743 = load i64, ptr %196, align 8
+  %2744 = icmp eq i64 %2742, %2743
+  br i1 %2744, label %2745, label %2746
+
+2745:                                             ; preds = %2737
+  store double %2741, ptr %371, align 8
+  br label %2746
+
+2746:                                             ; preds = %2094, %2120, %2154, %2641, %2668, %2734, %2737, %2745, %2127, %2130, %2138, %2142, %650
+  %2747 = phi double [ %574, %650 ], [ %2095, %2142 ], [ %2095, %2138 ], [ %2095, %2130 ], [ %2095, %2127 ], [ %2095, %2745 ], [ %2095, %2737 ], [ %2095, %2734 ], [ %2095, %2668 ], [ %2095, %2641 ], [ %2095, %2154 ], [ %2095, %2120 ], [ %2095, %2094 ]
+  %2748 = phi double [ %573, %650 ], [ %2096, %2142 ], [ %2096, %2138 ], [ %2096, %2130 ], [ %2096, %2127 ], [ %2096, %2745 ], [ %2096, %2737 ], [ %2096, %2734 ], [ %2096, %2668 ], [ %2096, %2641 ], [ %2096, %2154 ], [ %2096, %2120 ], [ %2096, %2094 ]
+  %2749 = phi double [ %572, %650 ], [ %2097, %2142 ], [ %2097, %2138 ], [ %2097, %2130 ], [ %2097, %2127 ], [ %2097, %2745 ], [ %2097, %2737 ], [ %2097, %2734 ], [ %2097, %2668 ], [ %2097, %2641 ], [ %2097, %2154 ], [ %2097, %2120 ], [ %2097, %2094 ]
+  %2750 = phi i64 [ %571, %650 ], [ %2098, %2142 ], [ %2098, %2138 ], [ %2098, %2130 ], [ %2098, %2127 ], [ %2098, %2745 ], [ %2098, %2737 ], [ %2098, %2734 ], [ %2098, %2668 ], [ %2098, %2641 ], [ %2098, %2154 ], [ %2098, %2120 ], [ %2098, %2094 ]
+  %2751 = phi i64 [ %570, %650 ], [ %2099, %2142 ], [ %2099, %2138 ], [ %2099, %2130 ], [ %2099, %2127 ], [ %2099, %2745 ], [ %2099, %2737 ], [ %2099, %2734 ], [ %2099, %2668 ], [ %2099, %2641 ], [ %2099, %2154 ], [ %2099, %2120 ], [ %2099, %2094 ]
+  %2752 = phi i64 [ %569, %650 ], [ %2100, %2142 ], [ %2100, %2138 ], [ %2100, %2130 ], [ %2100, %2127 ], [ %2100, %2745 ], [ %2100, %2737 ], [ %2100, %2734 ], [ %2100, %2668 ], [ %2100, %2641 ], [ %2100, %2154 ], [ %2100, %2120 ], [ %2100, %2094 ]
+  %2753 = phi double [ %568, %650 ], [ %2143, %2142 ], [ %2104, %2138 ], [ %2104, %2130 ], [ %2104, %2127 ], [ %2741, %2745 ], [ %2741, %2737 ], [ %2694, %2734 ], [ %2104, %2668 ], [ %2665, %2641 ], [ %2157, %2154 ], [ %2104, %2120 ], [ %568, %2094 ]
+  %2754 = phi double [ %567, %650 ], [ %567, %2142 ], [ %567, %2138 ], [ %567, %2130 ], [ %567, %2127 ], [ %643, %2745 ], [ %643, %2737 ], [ %643, %2734 ], [ %567, %2668 ], [ %567, %2641 ], [ %567, %2154 ], [ %567, %2120 ], [ %567, %2094 ]
+  %2755 = phi i32 [ 1, %650 ], [ 3, %2142 ], [ 3, %2138 ], [ 3, %2130 ], [ 3, %2127 ], [ 1, %2745 ], [ 0, %2737 ], [ 1, %2734 ], [ 1, %2668 ], [ 3, %2641 ], [ 3, %2154 ], [ 3, %2120 ], [ 1, %2094 ]
+  %2756 = phi i64 [ 2, %650 ], [ %566, %2142 ], [ %566, %2138 ], [ %566, %2130 ], [ %566, %2127 ], [ 0, %2745 ], [ %566, %2737 ], [ %2736, %2734 ], [ %2636, %2668 ], [ %566, %2641 ], [ %566, %2154 ], [ %566, %2120 ], [ -4, %2094 ]
+  switch i32 %2755, label %2760 [
+    i32 0, label %2757
+    i32 3, label %2757
   ]
 
-2648:                                             ; preds = %2637, %2637
-  %2649 = load i64, ptr %225, align 8
-  %2650 = icmp eq i64 %2649, 0
-  br i1 %2650, label %447, label %455, !llvm.loop !53
+2757:                                             ; preds = %2746, %2746
+  %2758 = load i64, ptr %334, align 8
+  %2759 = icmp eq i64 %2758, 0
+  br i1 %2759, label %556, label %564, !llvm.loop !54
 
-2651:                                             ; preds = %2637, %324, %383, %447, %478, %486, %216
-  %2652 = phi double [ %217, %216 ], [ %448, %447 ], [ %465, %486 ], [ %465, %478 ], [ %217, %383 ], [ %217, %324 ], [ %2638, %2637 ]
-  %2653 = phi double [ %218, %216 ], [ %449, %447 ], [ %464, %486 ], [ %464, %478 ], [ %218, %383 ], [ %218, %324 ], [ %2639, %2637 ]
-  %2654 = phi double [ %219, %216 ], [ %450, %447 ], [ %463, %486 ], [ %463, %478 ], [ %219, %383 ], [ %219, %324 ], [ %2640, %2637 ]
-  %2655 = phi i64 [ %220, %216 ], [ %451, %447 ], [ %462, %486 ], [ %462, %478 ], [ %220, %383 ], [ %220, %324 ], [ %2641, %2637 ]
-  %2656 = phi i64 [ %221, %216 ], [ %452, %447 ], [ %461, %486 ], [ %461, %478 ], [ %221, %383 ], [ %221, %324 ], [ %2642, %2637 ]
-  %2657 = phi i64 [ %222, %216 ], [ %453, %447 ], [ %460, %486 ], [ %460, %478 ], [ %222, %383 ], [ %222, %324 ], [ %2643, %2637 ]
-  %2658 = phi i64 [ -1, %216 ], [ -1, %447 ], [ 1, %486 ], [ -5, %478 ], [ 0, %383 ], [ %327, %324 ], [ %2647, %2637 ]
-  %2659 = load ptr, ptr %215, align 8
-  %2660 = getelementptr inbounds i8, ptr %2659, i64 48
-  %2661 = load i64, ptr %2660, align 8
-  %2662 = icmp ne i64 %2658, -2
-  %2663 = icmp eq i64 %2661, 0
-  %2664 = select i1 %2662, i1 true, i1 %2663
-  br i1 %2664, label %2672, label %2665
+2760:                                             ; preds = %2746, %433, %492, %556, %587, %595, %325
+  %2761 = phi double [ %326, %325 ], [ %557, %556 ], [ %574, %595 ], [ %574, %587 ], [ %326, %492 ], [ %326, %433 ], [ %2747, %2746 ]
+  %2762 = phi double [ %327, %325 ], [ %558, %556 ], [ %573, %595 ], [ %573, %587 ], [ %327, %492 ], [ %327, %433 ], [ %2748, %2746 ]
+  %2763 = phi double [ %328, %325 ], [ %559, %556 ], [ %572, %595 ], [ %572, %587 ], [ %328, %492 ], [ %328, %433 ], [ %2749, %2746 ]
+  %2764 = phi i64 [ %329, %325 ], [ %560, %556 ], [ %571, %595 ], [ %571, %587 ], [ %329, %492 ], [ %329, %433 ], [ %2750, %2746 ]
+  %2765 = phi i64 [ %330, %325 ], [ %561, %556 ], [ %570, %595 ], [ %570, %587 ], [ %330, %492 ], [ %330, %433 ], [ %2751, %2746 ]
+  %2766 = phi i64 [ %331, %325 ], [ %562, %556 ], [ %569, %595 ], [ %569, %587 ], [ %331, %492 ], [ %331, %433 ], [ %2752, %2746 ]
+  %2767 = phi i64 [ -1, %325 ], [ -1, %556 ], [ 1, %595 ], [ -5, %587 ], [ 0, %492 ], [ %436, %433 ], [ %2756, %2746 ]
+  %2768 = load ptr, ptr %324, align 8
+  %2769 = getelementptr inbounds i8, ptr %2768, i64 48
+  %2770 = load i64, ptr %2769, align 8
+  %2771 = icmp ne i64 %2767, -2
+  %2772 = icmp eq i64 %2770, 0
+  %2773 = select i1 %2771, i1 true, i1 %2772
+  br i1 %2773, label %2781, label %2774
 
-2665:                                             ; preds = %2651
-  %2666 = inttoptr i64 %2661 to ptr
-  %2667 = tail call i64 %2666(ptr noundef %0) #11
-  %2668 = icmp eq i64 %2667, 8
-  %2669 = select i1 %2668, i64 8, i64 %2658
-  %2670 = icmp eq i64 %2667, 1
-  %2671 = zext i1 %2670 to i32
-  br label %2672
+2774:                                             ; preds = %2760
+  %2775 = inttoptr i64 %2770 to ptr
+  %2776 = tail call i64 %2775(ptr noundef %0) #10
+  %2777 = icmp eq i64 %2776, 8
+  %2778 = select i1 %2777, i64 8, i64 %2767
+  %2779 = icmp eq i64 %2776, 1
+  %2780 = zext i1 %2779 to i32
+  br label %2781
 
-2672:                                             ; preds = %2651, %2665
-  %2673 = phi i64 [ %2658, %2651 ], [ %2669, %2665 ]
-  %2674 = phi i32 [ 0, %2651 ], [ %2671, %2665 ]
-  %2675 = icmp eq i32 %2674, 0
-  br i1 %2675, label %2676, label %216, !llvm.loop !65
+2781:                                             ; preds = %2760, %2774
+  %2782 = phi i64 [ %2767, %2760 ], [ %2778, %2774 ]
+  %2783 = phi i32 [ 0, %2760 ], [ %2780, %2774 ]
+  %2784 = icmp eq i32 %2783, 0
+  br i1 %2784, label %2785, label %325, !llvm.loop !66
 
-2676:                                             ; preds = %2672
-  %2677 = getelementptr inbounds i8, ptr %0, i64 320
-  %2678 = load i64, ptr %2677, align 8
-  %2679 = icmp sgt i64 %2678, 0
-  br i1 %2679, label %2680, label %2683
+2785:                                             ; preds = %2781
+  %2786 = getelementptr inbounds i8, ptr %0, i64 768
+  %2787 = getelementptr inbounds i8, ptr %0, i64 320
+  %2788 = load i64, ptr %2787, align 8
+  %2789 = icmp sgt i64 %2788, 0
+  br i1 %2789, label %2790, label %2793
 
-2680:                                             ; preds = %2676
-  %2681 = getelementptr inbounds i8, ptr %0, i64 336
-  %2682 = load ptr, ptr %2681, align 8
-  store double 0x7FF0000000000000, ptr %2682, align 8
-  br label %2683
+2790:                                             ; preds = %2785
+  %2791 = getelementptr inbounds i8, ptr %0, i64 336
+  %2792 = load ptr, ptr %2791, align 8
+  store double 0x7FF0000000000000, ptr %2792, align 8
+  br label %2793
 
-2683:                                             ; preds = %2676, %2680
-  ret i64 %2673
+2793:                                             ; preds = %2785, %2790
+  %2794 = icmp eq i64 %2782, 0
+  %2795 = and i1 %15, %2794
+  br i1 %2795, label %2796, label %2883
+
+2796:                                             ; preds = %2793
+  %2797 = load ptr, ptr %2786, align 8
+  %2798 = getelementptr inbounds i8, ptr %2797, i64 8
+  %2799 = load i64, ptr %2798, align 8
+  %2800 = load ptr, ptr %193, align 8
+  %2801 = load double, ptr %2800, align 8
+  %2802 = tail call double @llvm.fabs.f64(double %2801)
+  %2803 = fmul double %2802, 0x3CC0000000000000
+  %2804 = icmp eq i64 %2799, 0
+  br i1 %2804, label %2883, label %2805
+
+2805:                                             ; preds = %2796
+  %2806 = getelementptr inbounds i8, ptr %0, i64 248
+  %2807 = load i64, ptr %2806, align 8
+  %2808 = icmp sgt i64 %2807, 0
+  br i1 %2808, label %2884, label %2809
+
+2809:                                             ; preds = %2805
+  %2810 = load ptr, ptr %190, align 8
+  %2811 = getelementptr inbounds i8, ptr %2810, i64 40
+  %2812 = load i64, ptr %2811, align 8
+  %2813 = icmp eq i64 %2812, 0
+  br i1 %2813, label %2814, label %2884
+
+2814:                                             ; preds = %2809
+  %2815 = getelementptr inbounds i8, ptr %0, i64 168
+  %2816 = load ptr, ptr %2815, align 8
+  store double %2801, ptr %2816, align 8
+  %2817 = load ptr, ptr %2786, align 8
+  %2818 = load i64, ptr %2817, align 8
+  %2819 = load ptr, ptr %2815, align 8
+  %2820 = load ptr, ptr %191, align 8
+  %2821 = getelementptr inbounds i8, ptr %0, i64 192
+  %2822 = load ptr, ptr %2821, align 8
+  %2823 = getelementptr inbounds i8, ptr %0, i64 792
+  %2824 = load ptr, ptr %2823, align 8
+  %2825 = getelementptr inbounds i8, ptr %0, i64 984
+  %2826 = load ptr, ptr %2825, align 8
+  %2827 = inttoptr i64 %2818 to ptr
+  %2828 = load ptr, ptr %2827, align 8
+  %2829 = tail call i32 %2828(ptr noundef %2819, ptr noundef %2820, ptr noundef %2822, ptr noundef %2824, ptr noundef %2826) #10
+  %2830 = load ptr, ptr %2786, align 8
+  %2831 = getelementptr inbounds i8, ptr %2830, i64 56
+  %2832 = load i64, ptr %2831, align 8
+  %2833 = load ptr, ptr %2815, align 8
+  %2834 = load ptr, ptr %191, align 8
+  %2835 = load ptr, ptr %2821, align 8
+  %2836 = getelementptr inbounds i8, ptr %0, i64 1152
+  %2837 = load ptr, ptr %2836, align 8
+  %2838 = getelementptr inbounds i8, ptr %0, i64 1200
+  %2839 = load ptr, ptr %2838, align 8
+  %2840 = inttoptr i64 %2832 to ptr
+  %2841 = load ptr, ptr %2840, align 8
+  %2842 = tail call i32 %2841(ptr noundef %2833, ptr noundef %2834, ptr noundef %2835, ptr noundef %2837, ptr noundef %2839) #10
+  %2843 = icmp sgt i64 %2799, 0
+  br i1 %2843, label %2844, label %2883
+
+2844:                                             ; preds = %2814
+  %2845 = getelementptr inbounds i8, ptr %0, i64 984
+  %2846 = load ptr, ptr %2845, align 8
+  %2847 = getelementptr inbounds i8, ptr %0, i64 936
+  %2848 = load ptr, ptr %2847, align 8
+  %2849 = getelementptr inbounds i8, ptr %0, i64 1200
+  %2850 = load ptr, ptr %2849, align 8
+  %2851 = load double, ptr %2846, align 8
+  %2852 = load i64, ptr %2848, align 8
+  %2853 = sitofp i64 %2852 to double
+  %2854 = fmul double %2851, %2853
+  %2855 = load double, ptr %2850, align 8
+  %2856 = tail call double @llvm.fabs.f64(double %2855)
+  %2857 = fmul double %2803, %2856
+  %2858 = fcmp ogt double %2854, %2857
+  %2859 = fcmp olt double %2854, 0.000000e+00
+  %2860 = or i1 %2859, %2858
+  br i1 %2860, label %2861, label %2881
+
+2861:                                             ; preds = %2844, %2865
+  %2862 = phi i64 [ %2863, %2865 ], [ 0, %2844 ]
+  %2863 = add nuw nsw i64 %2862, 1
+  %2864 = icmp eq i64 %2863, %2799
+  br i1 %2864, label %2883, label %2865, !llvm.loop !67
+
+2865:                                             ; preds = %2861
+  %2866 = getelementptr inbounds double, ptr %2846, i64 %2863
+  %2867 = load double, ptr %2866, align 8
+  %2868 = getelementptr inbounds i64, ptr %2848, i64 %2863
+  %2869 = load i64, ptr %2868, align 8
+  %2870 = sitofp i64 %2869 to double
+  %2871 = fmul double %2867, %2870
+  %2872 = getelementptr inbounds double, ptr %2850, i64 %2863
+  %2873 = load double, ptr %2872, align 8
+  %2874 = tail call double @llvm.fabs.f64(double %2873)
+  %2875 = fmul double %2803, %2874
+  %2876 = fcmp ogt double %2871, %2875
+  %2877 = fcmp olt double %2871, 0.000000e+00
+  %2878 = or i1 %2877, %2876
+  br i1 %2878, label %2861, label %2879, !llvm.loop !67
+
+2879:                                             ; preds = %2865
+  %2880 = icmp slt i64 %2863, %2799
+  br label %2881
+
+2881:                                             ; preds = %2879, %2844
+  %2882 = phi i1 [ %2880, %2879 ], [ %2843, %2844 ]
+  br i1 %2882, label %2884, label %2883
+
+2883:                                             ; preds = %2861, %2814, %2796, %2881, %2793
+  br label %2884
+
+2884:                                             ; preds = %91, %95, %81, %2805, %2809, %2883, %2881, %187
+  %2885 = phi i64 [ -7, %187 ], [ %2782, %2883 ], [ -8, %2881 ], [ -8, %2809 ], [ -8, %2805 ], [ -7, %81 ], [ -7, %95 ], [ -7, %91 ]
+  ret i64 %2885
 }
 
 
 
-define internal fastcc void @settle(ptr noundef readonly %0) unnamed_addr #2 {
+declare double @llvm.fabs.f64(double) #2
+
+define internal fastcc void @settle(ptr noundef readonly %0) unnamed_addr #3 {
   %2 = getelementptr inbounds i8, ptr %0, i64 192
   %3 = load ptr, ptr %2, align 8
   %4 = load double, ptr %3, align 8
@@ -3507,7 +3765,7 @@ define internal fastcc void @settle(ptr noundef readonly %0) unnamed_addr #2 {
   %26 = select i1 %24, i64 %20, i64 %18
   %27 = select i1 %24, i64 %17, i64 %25
   %28 = icmp slt i64 %27, %26
-  br i1 %28, label %16, label %29, !llvm.loop !12
+  br i1 %28, label %16, label %29, !llvm.loop !13
 
 29:                                               ; preds = %16, %1
   %30 = phi i64 [ 0, %1 ], [ %27, %16 ]
@@ -3542,7 +3800,7 @@ define internal fastcc void @settle(ptr noundef readonly %0) unnamed_addr #2 {
   ret void
 }
 
-define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #2 {
+define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #3 {
   %2 = getelementptr inbounds i8, ptr %0, i64 104
   %3 = load i64, ptr %2, align 8
   %4 = icmp sgt i64 %3, 0
@@ -3616,7 +3874,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #2 {
   %58 = select i1 %56, i64 %53, i64 %50
   %59 = sub nsw i64 %58, %57
   %60 = icmp sgt i64 %59, 1
-  br i1 %60, label %49, label %61, !llvm.loop !66
+  br i1 %60, label %49, label %61, !llvm.loop !68
 
 61:                                               ; preds = %49, %47, %40, %43
   %62 = phi i64 [ %36, %43 ], [ %36, %40 ], [ 0, %47 ], [ %57, %49 ]
@@ -3648,10 +3906,10 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #2 {
   %86 = add nuw nsw i64 %15, 1
   %87 = load i64, ptr %2, align 8
   %88 = icmp slt i64 %86, %87
-  br i1 %88, label %14, label %13, !llvm.loop !67
+  br i1 %88, label %14, label %13, !llvm.loop !69
 }
 
-define internal fastcc void @norm_to(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, ptr noundef readonly %3, i64 noundef %4) unnamed_addr #3 {
+define internal fastcc void @norm_to(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, ptr noundef readonly %3, i64 noundef %4) unnamed_addr #4 {
   %6 = icmp sgt i64 %4, 0
   br i1 %6, label %7, label %13
 
@@ -3695,12 +3953,10 @@ define internal fastcc void @norm_to(ptr noundef writeonly %0, ptr noundef reado
   %39 = fadd double %19, %38
   %40 = add nuw nsw i64 %20, 1
   %41 = icmp eq i64 %40, %4
-  br i1 %41, label %13, label %18, !llvm.loop !68
+  br i1 %41, label %13, label %18, !llvm.loop !70
 }
 
-declare double @llvm.sqrt.f64(double) #4
-
-declare double @llvm.fabs.f64(double) #4
+declare double @llvm.sqrt.f64(double) #2
 
 define internal fastcc range(i64 -2147483648, 2147483648) i64 @real_factorise(ptr noundef %0, i64 noundef %1, ptr noundef writeonly %2) unnamed_addr #5 {
   %4 = icmp sgt i64 %1, 0
@@ -3708,7 +3964,7 @@ define internal fastcc range(i64 -2147483648, 2147483648) i64 @real_factorise(pt
 
 5:                                                ; preds = %98, %49
   %6 = icmp eq i64 %20, %1
-  br i1 %6, label %7, label %11, !llvm.loop !69
+  br i1 %6, label %7, label %11, !llvm.loop !71
 
 7:                                                ; preds = %5
   %8 = zext nneg i32 %29 to i64
@@ -3763,7 +4019,7 @@ define internal fastcc range(i64 -2147483648, 2147483648) i64 @real_factorise(pt
   %46 = select i1 %43, double %37, double %42
   %47 = add nuw nsw i64 %38, 1
   %48 = icmp slt i64 %47, %1
-  br i1 %48, label %35, label %23, !llvm.loop !70
+  br i1 %48, label %35, label %23, !llvm.loop !72
 
 49:                                               ; preds = %63, %23
   %50 = load double, ptr %17, align 8
@@ -3792,7 +4048,7 @@ define internal fastcc range(i64 -2147483648, 2147483648) i64 @real_factorise(pt
   %64 = add nuw nsw i64 %57, 1
   %65 = icmp sge i64 %64, %1
   %66 = select i1 %65, i1 true, i1 %30
-  br i1 %66, label %49, label %56, !llvm.loop !71
+  br i1 %66, label %49, label %56, !llvm.loop !73
 
 67:                                               ; preds = %60, %67
   %68 = phi i64 [ 0, %60 ], [ %75, %67 ]
@@ -3807,7 +4063,7 @@ define internal fastcc range(i64 -2147483648, 2147483648) i64 @real_factorise(pt
   %75 = add nuw nsw i64 %68, 1
   %76 = icmp slt i64 %75, %1
   %77 = and i1 %76, %59
-  br i1 %77, label %67, label %63, !llvm.loop !72
+  br i1 %77, label %67, label %63, !llvm.loop !74
 
 78:                                               ; preds = %54, %98
   %79 = phi i64 [ %20, %54 ], [ %99, %98 ]
@@ -3835,12 +4091,12 @@ define internal fastcc range(i64 -2147483648, 2147483648) i64 @real_factorise(pt
   store double %95, ptr %90, align 8
   %96 = add nuw nsw i64 %89, 1
   %97 = icmp slt i64 %96, %1
-  br i1 %97, label %88, label %98, !llvm.loop !73
+  br i1 %97, label %88, label %98, !llvm.loop !75
 
 98:                                               ; preds = %88, %78
   %99 = add nuw nsw i64 %79, 1
   %100 = icmp slt i64 %99, %1
-  br i1 %100, label %78, label %5, !llvm.loop !74
+  br i1 %100, label %78, label %5, !llvm.loop !76
 }
 
 define internal fastcc range(i64 -2147483648, 2147483648) i64 @pair_factorise(ptr noundef %0, i64 noundef %1, ptr noundef writeonly %2) unnamed_addr #5 {
@@ -3849,7 +4105,7 @@ define internal fastcc range(i64 -2147483648, 2147483648) i64 @pair_factorise(pt
 
 5:                                                ; preds = %156, %59
   %6 = icmp eq i64 %26, %1
-  br i1 %6, label %7, label %11, !llvm.loop !75
+  br i1 %6, label %7, label %11, !llvm.loop !77
 
 7:                                                ; preds = %5
   %8 = zext nneg i32 %34 to i64
@@ -3912,7 +4168,7 @@ define internal fastcc range(i64 -2147483648, 2147483648) i64 @pair_factorise(pt
   %56 = select i1 %53, double %40, double %52
   %57 = add nuw nsw i64 %41, 1
   %58 = icmp slt i64 %57, %1
-  br i1 %58, label %38, label %28, !llvm.loop !76
+  br i1 %58, label %38, label %28, !llvm.loop !78
 
 59:                                               ; preds = %82, %28
   %60 = load double, ptr %18, align 8
@@ -3949,7 +4205,7 @@ define internal fastcc range(i64 -2147483648, 2147483648) i64 @pair_factorise(pt
   %83 = add nuw nsw i64 %77, 1
   %84 = icmp sge i64 %83, %1
   %85 = select i1 %84, i1 true, i1 %35
-  br i1 %85, label %59, label %76, !llvm.loop !77
+  br i1 %85, label %59, label %76, !llvm.loop !79
 
 86:                                               ; preds = %80, %86
   %87 = phi i64 [ 0, %80 ], [ %106, %86 ]
@@ -3978,7 +4234,7 @@ define internal fastcc range(i64 -2147483648, 2147483648) i64 @pair_factorise(pt
   %106 = add nuw nsw i64 %87, 1
   %107 = icmp slt i64 %106, %1
   %108 = and i1 %107, %79
-  br i1 %108, label %86, label %82, !llvm.loop !78
+  br i1 %108, label %86, label %82, !llvm.loop !80
 
 109:                                              ; preds = %59, %156
   %110 = phi i64 [ %157, %156 ], [ %26, %59 ]
@@ -4035,15 +4291,15 @@ define internal fastcc range(i64 -2147483648, 2147483648) i64 @pair_factorise(pt
   store double %153, ptr %137, align 8
   %154 = add nuw nsw i64 %131, 1
   %155 = icmp slt i64 %154, %1
-  br i1 %155, label %130, label %156, !llvm.loop !79
+  br i1 %155, label %130, label %156, !llvm.loop !81
 
 156:                                              ; preds = %130, %109
   %157 = add nuw nsw i64 %110, 1
   %158 = icmp slt i64 %157, %1
-  br i1 %158, label %109, label %5, !llvm.loop !80
+  br i1 %158, label %109, label %5, !llvm.loop !82
 }
 
-declare double @llvm.fma.f64(double, double, double) #4
+declare double @llvm.fma.f64(double, double, double) #2
 
 declare void @llvm.memset.p0.i64(ptr writeonly, i8, i64, i1 immarg) #6
 
@@ -4066,7 +4322,7 @@ define internal fastcc void @real_solve(ptr noundef readonly %0, i64 noundef %1,
 14:                                               ; preds = %17, %8
   %15 = add nuw nsw i64 %9, 1
   %16 = icmp eq i64 %15, %1
-  br i1 %16, label %6, label %8, !llvm.loop !81
+  br i1 %16, label %6, label %8, !llvm.loop !83
 
 17:                                               ; preds = %8
   %18 = getelementptr inbounds double, ptr %3, i64 %9
@@ -4103,7 +4359,7 @@ define internal fastcc void @real_solve(ptr noundef readonly %0, i64 noundef %1,
   store double %36, ptr %29, align 8
   %37 = add nuw nsw i64 %28, 1
   %38 = icmp eq i64 %37, %1
-  br i1 %38, label %23, label %27, !llvm.loop !82
+  br i1 %38, label %23, label %27, !llvm.loop !84
 
 39:                                               ; preds = %32, %39
   %40 = phi i64 [ 0, %32 ], [ %48, %39 ]
@@ -4116,7 +4372,7 @@ define internal fastcc void @real_solve(ptr noundef readonly %0, i64 noundef %1,
   %47 = tail call double @llvm.fma.f64(double %46, double %45, double %41)
   %48 = add nuw nsw i64 %40, 1
   %49 = icmp eq i64 %48, %28
-  br i1 %49, label %35, label %39, !llvm.loop !83
+  br i1 %49, label %35, label %39, !llvm.loop !85
 
 50:                                               ; preds = %60, %23
   ret void
@@ -4142,7 +4398,7 @@ define internal fastcc void @real_solve(ptr noundef readonly %0, i64 noundef %1,
   %65 = fmul double %61, %64
   store double %65, ptr %54, align 8
   %66 = icmp sgt i64 %52, 1
-  br i1 %66, label %51, label %50, !llvm.loop !84
+  br i1 %66, label %51, label %50, !llvm.loop !86
 
 67:                                               ; preds = %57, %67
   %68 = phi i64 [ %52, %57 ], [ %76, %67 ]
@@ -4155,7 +4411,7 @@ define internal fastcc void @real_solve(ptr noundef readonly %0, i64 noundef %1,
   %75 = tail call double @llvm.fma.f64(double %74, double %73, double %69)
   %76 = add nuw nsw i64 %68, 1
   %77 = icmp eq i64 %76, %1
-  br i1 %77, label %60, label %67, !llvm.loop !85
+  br i1 %77, label %60, label %67, !llvm.loop !87
 }
 
 define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1, ptr noundef readonly %2, ptr noundef %3) unnamed_addr #5 {
@@ -4177,7 +4433,7 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
 14:                                               ; preds = %23, %8
   %15 = add nuw nsw i64 %9, 1
   %16 = icmp eq i64 %15, %1
-  br i1 %16, label %6, label %8, !llvm.loop !81
+  br i1 %16, label %6, label %8, !llvm.loop !83
 
 17:                                               ; preds = %8
   %18 = shl nsw i64 %9, 4
@@ -4197,7 +4453,7 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
   store double %26, ptr %27, align 8
   %29 = add nuw nsw i64 %24, 1
   %30 = icmp eq i64 %24, 0
-  br i1 %30, label %23, label %14, !llvm.loop !86
+  br i1 %30, label %23, label %14, !llvm.loop !88
 
 31:                                               ; preds = %47, %6
   %32 = icmp sgt i64 %1, 0
@@ -4230,7 +4486,7 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
   store double %49, ptr %42, align 8
   %50 = add nuw nsw i64 %37, 1
   %51 = icmp eq i64 %50, %1
-  br i1 %51, label %31, label %36, !llvm.loop !88
+  br i1 %51, label %31, label %36, !llvm.loop !90
 
 52:                                               ; preds = %45, %52
   %53 = phi double [ %43, %45 ], [ %75, %52 ]
@@ -4258,7 +4514,7 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
   %75 = fsub double %53, %73
   %76 = add nuw nsw i64 %55, 1
   %77 = icmp eq i64 %76, %37
-  br i1 %77, label %47, label %52, !llvm.loop !89
+  br i1 %77, label %47, label %52, !llvm.loop !91
 
 78:                                               ; preds = %91, %31
   ret void
@@ -4296,7 +4552,7 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
   store double %102, ptr %83, align 8
   store double %104, ptr %86, align 8
   %105 = icmp sgt i64 %80, 1
-  br i1 %105, label %79, label %78, !llvm.loop !90
+  br i1 %105, label %79, label %78, !llvm.loop !92
 
 106:                                              ; preds = %89, %106
   %107 = phi double [ %87, %89 ], [ %129, %106 ]
@@ -4324,7 +4580,7 @@ define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1,
   %129 = fsub double %107, %127
   %130 = add nuw nsw i64 %109, 1
   %131 = icmp eq i64 %130, %1
-  br i1 %131, label %91, label %106, !llvm.loop !91
+  br i1 %131, label %91, label %106, !llvm.loop !93
 }
 
 define internal fastcc void @real_solve_columns(ptr noundef readonly %0, i64 noundef %1, ptr noundef readonly %2, ptr noundef %3, i64 noundef %4) unnamed_addr #5 {
@@ -4354,7 +4610,7 @@ define internal fastcc void @real_solve_columns(ptr noundef readonly %0, i64 nou
 19:                                               ; preds = %28, %22, %13
   %20 = add nuw nsw i64 %14, 1
   %21 = icmp eq i64 %20, %1
-  br i1 %21, label %9, label %13, !llvm.loop !81
+  br i1 %21, label %9, label %13, !llvm.loop !83
 
 22:                                               ; preds = %13
   %23 = mul nsw i64 %14, %4
@@ -4374,7 +4630,7 @@ define internal fastcc void @real_solve_columns(ptr noundef readonly %0, i64 nou
   store double %31, ptr %32, align 8
   %34 = add nuw nsw i64 %29, 1
   %35 = icmp eq i64 %34, %4
-  br i1 %35, label %19, label %28, !llvm.loop !86
+  br i1 %35, label %19, label %28, !llvm.loop !88
 
 36:                                               ; preds = %11, %50
   %37 = phi i64 [ 0, %11 ], [ %51, %50 ]
@@ -4401,7 +4657,7 @@ define internal fastcc void @real_solve_columns(ptr noundef readonly %0, i64 nou
 50:                                               ; preds = %70, %36
   %51 = add nuw nsw i64 %37, 1
   %52 = icmp eq i64 %51, %1
-  br i1 %52, label %44, label %36, !llvm.loop !92
+  br i1 %52, label %44, label %36, !llvm.loop !94
 
 53:                                               ; preds = %39, %70
   %54 = phi i64 [ 0, %39 ], [ %71, %70 ]
@@ -4425,16 +4681,16 @@ define internal fastcc void @real_solve_columns(ptr noundef readonly %0, i64 nou
   store double %67, ptr %63, align 8
   %68 = add nuw nsw i64 %62, 1
   %69 = icmp eq i64 %68, %4
-  br i1 %69, label %70, label %61, !llvm.loop !93
+  br i1 %69, label %70, label %61, !llvm.loop !95
 
 70:                                               ; preds = %61, %53
   %71 = add nuw nsw i64 %54, 1
   %72 = icmp eq i64 %71, %37
-  br i1 %72, label %50, label %53, !llvm.loop !94
+  br i1 %72, label %50, label %53, !llvm.loop !96
 
 73:                                               ; preds = %111, %85
   %74 = icmp sgt i64 %76, 1
-  br i1 %74, label %75, label %84, !llvm.loop !95
+  br i1 %74, label %75, label %84, !llvm.loop !97
 
 75:                                               ; preds = %46, %73
   %76 = phi i64 [ %1, %46 ], [ %77, %73 ]
@@ -4484,12 +4740,12 @@ define internal fastcc void @real_solve_columns(ptr noundef readonly %0, i64 nou
   store double %105, ptr %101, align 8
   %106 = add nuw nsw i64 %100, 1
   %107 = icmp eq i64 %106, %4
-  br i1 %107, label %108, label %99, !llvm.loop !93
+  br i1 %107, label %108, label %99, !llvm.loop !95
 
 108:                                              ; preds = %99, %91
   %109 = add nuw nsw i64 %92, 1
   %110 = icmp eq i64 %109, %1
-  br i1 %110, label %85, label %91, !llvm.loop !96
+  br i1 %110, label %85, label %91, !llvm.loop !98
 
 111:                                              ; preds = %86, %111
   %112 = phi i64 [ 0, %86 ], [ %117, %111 ]
@@ -4500,7 +4756,7 @@ define internal fastcc void @real_solve_columns(ptr noundef readonly %0, i64 nou
   store double %116, ptr %113, align 8
   %117 = add nuw nsw i64 %112, 1
   %118 = icmp eq i64 %117, %4
-  br i1 %118, label %73, label %111, !llvm.loop !97
+  br i1 %118, label %73, label %111, !llvm.loop !99
 }
 
 define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 noundef %1, ptr noundef readonly %2, ptr noundef %3, i64 noundef %4) unnamed_addr #5 {
@@ -4532,7 +4788,7 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
 21:                                               ; preds = %30, %24, %15
   %22 = add nuw nsw i64 %16, 1
   %23 = icmp eq i64 %22, %1
-  br i1 %23, label %11, label %15, !llvm.loop !81
+  br i1 %23, label %11, label %15, !llvm.loop !83
 
 24:                                               ; preds = %15
   %25 = mul nuw nsw i64 %16, %6
@@ -4552,7 +4808,7 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
   store double %33, ptr %34, align 8
   %36 = add nuw nsw i64 %31, 1
   %37 = icmp eq i64 %36, %10
-  br i1 %37, label %21, label %30, !llvm.loop !86
+  br i1 %37, label %21, label %30, !llvm.loop !88
 
 38:                                               ; preds = %13, %51
   %39 = phi i64 [ 0, %13 ], [ %52, %51 ]
@@ -4578,7 +4834,7 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
 51:                                               ; preds = %90, %38
   %52 = add nuw nsw i64 %39, 1
   %53 = icmp eq i64 %52, %1
-  br i1 %53, label %44, label %38, !llvm.loop !98
+  br i1 %53, label %44, label %38, !llvm.loop !100
 
 54:                                               ; preds = %41, %90
   %55 = phi i64 [ 0, %41 ], [ %91, %90 ]
@@ -4622,16 +4878,16 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
   store double %87, ptr %73, align 8
   %88 = add nuw nsw i64 %67, 1
   %89 = icmp eq i64 %88, %4
-  br i1 %89, label %90, label %66, !llvm.loop !99
+  br i1 %89, label %90, label %66, !llvm.loop !101
 
 90:                                               ; preds = %66, %54
   %91 = add nuw nsw i64 %55, 1
   %92 = icmp eq i64 %91, %39
-  br i1 %92, label %51, label %54, !llvm.loop !100
+  br i1 %92, label %51, label %54, !llvm.loop !102
 
 93:                                               ; preds = %149, %103
   %94 = icmp sgt i64 %96, 1
-  br i1 %94, label %95, label %102, !llvm.loop !101
+  br i1 %94, label %95, label %102, !llvm.loop !103
 
 95:                                               ; preds = %46, %93
   %96 = phi i64 [ %1, %46 ], [ %97, %93 ]
@@ -4700,12 +4956,12 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
   store double %143, ptr %129, align 8
   %144 = add nuw nsw i64 %123, 1
   %145 = icmp eq i64 %144, %4
-  br i1 %145, label %146, label %122, !llvm.loop !99
+  br i1 %145, label %146, label %122, !llvm.loop !101
 
 146:                                              ; preds = %122, %110
   %147 = add nuw nsw i64 %111, 1
   %148 = icmp eq i64 %147, %1
-  br i1 %148, label %103, label %110, !llvm.loop !102
+  br i1 %148, label %103, label %110, !llvm.loop !104
 
 149:                                              ; preds = %104, %149
   %150 = phi i64 [ 0, %104 ], [ %165, %149 ]
@@ -4727,7 +4983,7 @@ define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 nou
   store double %164, ptr %156, align 8
   %165 = add nuw nsw i64 %150, 1
   %166 = icmp eq i64 %165, %4
-  br i1 %166, label %93, label %149, !llvm.loop !103
+  br i1 %166, label %93, label %149, !llvm.loop !105
 }
 
 define internal fastcc double @knot_after(ptr noundef readonly %0, double noundef %1) unnamed_addr #7 {
@@ -4801,7 +5057,7 @@ define internal fastcc double @knot_after(ptr noundef readonly %0, double nounde
   %52 = select i1 %50, i64 %47, i64 %44
   %53 = sub nsw i64 %52, %51
   %54 = icmp sgt i64 %53, 1
-  br i1 %54, label %43, label %55, !llvm.loop !66
+  br i1 %54, label %43, label %55, !llvm.loop !68
 
 55:                                               ; preds = %43, %40, %32, %34
   %56 = phi i64 [ 0, %34 ], [ 0, %32 ], [ 0, %40 ], [ %51, %43 ]
@@ -4828,7 +5084,7 @@ define internal fastcc double @knot_after(ptr noundef readonly %0, double nounde
   %69 = phi double [ %65, %67 ], [ %19, %63 ], [ %19, %58 ]
   %70 = add nuw nsw i64 %20, 1
   %71 = icmp eq i64 %70, %7
-  br i1 %71, label %16, label %18, !llvm.loop !104
+  br i1 %71, label %16, label %18, !llvm.loop !106
 }
 
 define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, i64 noundef %3, i64 noundef %4, ptr noundef readonly %5, i64 noundef %6) unnamed_addr #8 {
@@ -4865,7 +5121,7 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   store <8 x double> %29, ptr %26, align 8
   %30 = add nuw nsw i64 %21, 8
   %31 = icmp slt i64 %30, %10
-  br i1 %31, label %20, label %19, !llvm.loop !105
+  br i1 %31, label %20, label %19, !llvm.loop !107
 
 32:                                               ; preds = %20, %32
   %33 = phi i64 [ %42, %32 ], [ %16, %20 ]
@@ -4879,10 +5135,10 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   %41 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %39, <8 x double> %34, <8 x double> %40)
   %42 = add nsw i64 %33, -1
   %43 = icmp sgt i64 %33, 0
-  br i1 %43, label %32, label %24, !llvm.loop !106
+  br i1 %43, label %32, label %24, !llvm.loop !108
 }
 
-declare <8 x double> @llvm.fma.v8f64(<8 x double>, <8 x double>, <8 x double>) #4
+declare <8 x double> @llvm.fma.v8f64(<8 x double>, <8 x double>, <8 x double>) #2
 
 declare i1 @llvm.is.fpclass.f64(double, i32 immarg) #9
 
@@ -4892,9 +5148,9 @@ declare i64 @llvm.umax.i64(i64, i64) #9
 
 attributes #0 = { nounwind }
 attributes #1 = { nounwind willreturn }
-attributes #2 = { noinline nounwind }
+attributes #2 = { nounwind willreturn memory(none) }
 attributes #3 = { noinline nounwind }
-attributes #4 = { nounwind willreturn memory(none) }
+attributes #4 = { noinline nounwind }
 attributes #5 = { noinline nounwind }
 attributes #6 = { nounwind willreturn }
 attributes #7 = { noinline nounwind }
@@ -4913,17 +5169,17 @@ attributes #12 = { nounwind }
 !5 = !{!"llvm.loop.unroll.disable"}
 !6 = distinct !{!6, !4, !5}
 !7 = distinct !{!7, !4, !5}
-!8 = !{!9}
-!9 = distinct !{!9, !10, !"implicit_of: argument 0"}
-!10 = distinct !{!10, !"implicit_of"}
-!11 = distinct !{!11, !4, !5}
+!8 = distinct !{!8, !4, !5}
+!9 = !{!10}
+!10 = distinct !{!10, !11, !"implicit_of: argument 0"}
+!11 = distinct !{!11, !"implicit_of"}
 !12 = distinct !{!12, !4, !5}
 !13 = distinct !{!13, !4, !5}
 !14 = distinct !{!14, !4, !5}
-!15 = !{!16}
-!16 = distinct !{!16, !17, !"try_step: argument 0"}
-!17 = distinct !{!17, !"try_step"}
-!18 = distinct !{!18, !4, !5}
+!15 = distinct !{!15, !4, !5}
+!16 = !{!17}
+!17 = distinct !{!17, !18, !"try_step: argument 0"}
+!18 = distinct !{!18, !"try_step"}
 !19 = distinct !{!19, !4, !5}
 !20 = distinct !{!20, !4, !5}
 !21 = distinct !{!21, !4, !5}
@@ -4933,10 +5189,10 @@ attributes #12 = { nounwind }
 !25 = distinct !{!25, !4, !5}
 !26 = distinct !{!26, !4, !5}
 !27 = distinct !{!27, !4, !5}
-!28 = !{!29, !16}
-!29 = distinct !{!29, !30, !"solve_stages: argument 0"}
-!30 = distinct !{!30, !"solve_stages"}
-!31 = distinct !{!31, !4, !5}
+!28 = distinct !{!28, !4, !5}
+!29 = !{!30, !17}
+!30 = distinct !{!30, !31, !"solve_stages: argument 0"}
+!31 = distinct !{!31, !"solve_stages"}
 !32 = distinct !{!32, !4, !5}
 !33 = distinct !{!33, !4, !5}
 !34 = distinct !{!34, !4, !5}
@@ -4958,8 +5214,8 @@ attributes #12 = { nounwind }
 !50 = distinct !{!50, !4, !5}
 !51 = distinct !{!51, !4, !5}
 !52 = distinct !{!52, !4, !5}
-!53 = distinct !{!53, !5}
-!54 = distinct !{!54, !4, !5}
+!53 = distinct !{!53, !4, !5}
+!54 = distinct !{!54, !5}
 !55 = distinct !{!55, !4, !5}
 !56 = distinct !{!56, !4, !5}
 !57 = distinct !{!57, !4, !5}
@@ -4991,10 +5247,10 @@ attributes #12 = { nounwind }
 !83 = distinct !{!83, !4, !5}
 !84 = distinct !{!84, !4, !5}
 !85 = distinct !{!85, !4, !5}
-!86 = distinct !{!86, !4, !5, !87}
-!87 = !{!"llvm.loop.vectorize.width", i32 1}
-!88 = distinct !{!88, !4, !5}
-!89 = distinct !{!89, !4, !5}
+!86 = distinct !{!86, !4, !5}
+!87 = distinct !{!87, !4, !5}
+!88 = distinct !{!88, !4, !5, !89}
+!89 = !{!"llvm.loop.vectorize.width", i32 1}
 !90 = distinct !{!90, !4, !5}
 !91 = distinct !{!91, !4, !5}
 !92 = distinct !{!92, !4, !5}
@@ -5012,3 +5268,5 @@ attributes #12 = { nounwind }
 !104 = distinct !{!104, !4, !5}
 !105 = distinct !{!105, !4, !5}
 !106 = distinct !{!106, !4, !5}
+!107 = distinct !{!107, !4, !5}
+!108 = distinct !{!108, !4, !5}

@@ -1,4 +1,4 @@
-; sources deeab55c84562b6ac640de85012b35a48a50139b97700ca9436ea15e4b1a022d
+; sources 48857f7df7a623974a53dc3ad67baf5e5e3c2e9ac41622860f7181586fe8f5e0
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @extend(ptr noundef %0, ptr noundef readonly %1) #0 {

@@ -1,4 +1,4 @@
-; sources db800a0abc5da2394c33888ffecc7737c833d02633afb9edb037f5c25a98bf7c
+; sources 1160dee2d1d2e18f272792231905d78969d191553af1b2ac31181a8875d8da9f
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }

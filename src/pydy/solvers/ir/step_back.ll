@@ -1,4 +1,4 @@
-; sources a7fdae40622d3269199f163203549e8d98e22f3a6613e253084e8c756106bea6
+; sources 8ab37e690381c35d842b3222240f3e774fa0cf0a5e1a168143ca03946c9f46f5
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @step_back(ptr noundef readonly %0, ptr noundef readonly %1) #0 {

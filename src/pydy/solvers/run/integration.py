@@ -7,7 +7,6 @@ progress bar; at events that change the state; and when it cannot go on.
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping
-from contextlib import nullcontext
 from dataclasses import replace
 from math import isfinite
 from time import perf_counter
@@ -157,9 +156,10 @@ class Integration(Workspace):
     def _choose_attention(self) -> None:
         """Decide whether Python has tasks during the run, and set the first budget."""
         self._nearly_exact_tolerances = self._nearly_exact()
-        observed = self.options.constraints is not None or self.options.progress
+        options, events = self.options, self.options.events
+        refused = events is not None and any(event.constant for event in events.traits)
+        observed = options.constraints is not None or options.progress or refused
         self._attended = observed or bool(self.callbacks) or self._nearly_exact_tolerances
-        self.beginning.counts[at.BUDGET] = 0 if self._attended else self._budget
 
     def retune(self, options: Options) -> bool:
         """Change tolerances, step sizes and step limits; return False if that is impossible."""
@@ -196,32 +196,25 @@ class Integration(Workspace):
         if self.options.events is not None:
             self.watch.rests[:], self.watch.latest[:] = np.nan, -np.inf
             self.inactive_at_start = []
-            if not self._attended:
-                self._reset_to(x0)
-                if self._start():
-                    ended = self.code != Outcome.NOT_COMPUTED
-                    return at.PAUSED if ended else self._advance(self._rows, False)
+        continues = self.continuation is not None and self.continuation.sides is not None
+        self.beginning.counts[at.BUDGET] = 0 if self._attended or continues else self._budget
         return self._advance(self._rows, True)
-
-    def _reset_to(self, x0: np.ndarray) -> None:
-        """Set the initial state, as compiled code does before its first step."""
-        self.memory.x[: self.n] = x0
-        self.progress.state[:] = self.beginning.state
-        self.progress.counts[:] = self.beginning.counts
-        self.watch.values[at.PROBES * len(self.watch.sides)] = np.nan
 
     def run(self, x0: np.ndarray) -> np.ndarray:
         """Run to the end from a finite state, and return the states."""
         try:
             code = self._begin_run(x0)
             rows = self._rows
-            # Most runs end in their first slice.
-            if code == Outcome.FINISHED and self.options.events is None:
+            # Most runs end in their first slice, and no event happens at their ends.
+            if code == Outcome.FINISHED:
                 self.code, self._rows = code, _NO_ROWS
+                if self.options.events is not None:
+                    self._empty_log()
                 return rows[: self._time_count]
-            with self.interrupts if code != Outcome.FINISHED else nullcontext():
-                if self._attended and code == at.PAUSED:
+            with self.interrupts:
+                if code == at.START_EVENTS:
                     self._start()
+                    code = at.PAUSED
                 if self.code == Outcome.NOT_COMPUTED:  # else an event ended it at its start
                     self._run(code)
                 self._handle_events_at_end()
@@ -255,7 +248,7 @@ class Integration(Workspace):
             bar = progress_bar(self.name, self.span, float(state[at.TIME]))
         try:
             while True:
-                if code == Outcome.FINISHED:
+                if code in (Outcome.FINISHED, at.END_EVENTS):
                     return self._end(Outcome.FINISHED)
                 if code == at.EVENT:
                     if self._act():
@@ -309,11 +302,8 @@ class Integration(Workspace):
                 f"{least:.1e}.",
             )
 
-    def _start(self) -> bool:
-        """Check and project the initial state, find the signs of events there, and act on them.
-
-        Returns whether an event has acted.
-        """
+    def _start(self) -> None:
+        """Check and project the initial state, find the signs of events there, and act on them."""
         if self._nearly_exact_tolerances:
             self._check_tolerances()
         if self.options.constraints is not None:
@@ -324,8 +314,7 @@ class Integration(Workspace):
             for event in events.traits:
                 if event.constant:
                     self._stop(Outcome.EVENT_CONSTANT, event=event.name)
-            return self._handle_events_at_start(events)
-        return False
+            self._handle_events_at_start(events)
 
     def _warn_of_redundant(self, constraints: CompiledConstraints) -> None:
         """Warn, once for each system, of redundant constraints."""
@@ -397,11 +386,10 @@ class Integration(Workspace):
             self.watch.sides[k] = bool(value > 0.0) - bool(value < 0.0) if isfinite(value) else 0
         return values
 
-    def _handle_events_at_start(self, events: CompiledEvents) -> bool:
+    def _handle_events_at_start(self, events: CompiledEvents) -> None:
         """Record events on whose surfaces the motion starts, and let them act.
 
-        An event happens if the motion departs to the side of its direction. Returns whether any
-        event has acted.
+        An event happens if the motion departs to the side of its direction.
         """
         call, sides, continuation = self.call, self.watch.sides, self.continuation
         assert call is not None
@@ -432,14 +420,13 @@ class Integration(Workspace):
             self._note_times((k,), t)
             self.records.append(self._record(t, k, x, x))
         if not touched:
-            return False
+            return
         # Outputs at the time of an event are those before it.
         reached = int(np.searchsorted(self.progress.times, t, side="right"))
         self._rows[:reached] = x
         self.progress.counts[at.NEXT] = reached
         sides[self.watch.fired != 0] = 0  # the side before the start is unknown
         self._act()
-        return True
 
     def _note_times(self, events: tuple[int, ...], t: float) -> None:
         """Store the times of events, the latest first."""
@@ -684,8 +671,15 @@ class Integration(Workspace):
             "reached": int(count[at.NEXT]),
             "events": list(self.records),
             "sides": tuple(self.watch.sides.tolist()),
+            "clear": self._stayed_clear(),
             **({"dense_output": self._dense_output()} if self.options.dense_output else {}),
         }
+
+    def _stayed_clear(self) -> bool:
+        """Return whether bounds on the events showed in each step that none happens in it."""
+        # Compiled code notes the end of each step in which it looks for events.
+        never_looked = self.options.events is not None and np.isnan(self.watch.values[-1])
+        return bool(never_looked) and not self.records and self.code == Outcome.FINISHED
 
     def _nearness(self) -> float:
         """Return how near the projected constraints came to losing rank."""
