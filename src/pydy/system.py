@@ -1551,7 +1551,7 @@ class System:
             A constraint that closes a loop also holds the bodies, and neither its multiplier nor a
             reaction where it acts is in `loads`; or the coordinates join the bodies to others
             elsewhere as well, and there are no `loads`. The result is not the reaction of one
-            joint.
+            joint. Or a torque on a massless link of particles among the bodies is not counted.
 
         Notes
         -----
