@@ -1551,7 +1551,7 @@ class System:
             A constraint that closes a loop also holds the bodies, and neither its multiplier nor a
             reaction where it acts is in `loads`; or the coordinates join the bodies to others
             elsewhere as well, and there are no `loads`. The result is not the reaction of one
-            joint.
+            joint. Or a torque on a massless link of particles among the bodies is not counted.
 
         Notes
         -----
@@ -2023,13 +2023,13 @@ class System:
         Warns
         -----
         PyDyUserWarning
-            A state does not satisfy the constraints; a load or rate has a kink or a jump there, of
-            which the model knows one side; a Piecewise avoids a division by zero there, with a
-            branch of another slope; or neither `at` nor `t` is given, the initial
-            conditions are no equilibrium, and the model changes along the motion from there.
-            Coordinates that no other rate depends on, such as the position of a vehicle, do not
-            count. A change that begins in the third or a higher order of time is not seen, nor
-            one by inputs that are functions of time.
+            A state does not satisfy the constraints, or a quaternion is not of unit length; a load
+            or rate has a kink or a jump there, of which the model knows one side; a Piecewise
+            avoids a division by zero there, with a branch of another slope; or neither `at` nor
+            `t` is given, the initial conditions are no equilibrium, and the model changes along
+            the motion from there. Coordinates that no other rate depends on, such as the position
+            of a vehicle, do not count. A change that begins in the third or a higher order of time
+            is not seen, nor one by inputs that are functions of time.
 
         Examples
         --------
@@ -2059,7 +2059,8 @@ class System:
         """Find a state in which the system remains at rest or moves steadily.
 
         All other values are those of the System; the search starts from its initial conditions,
-        and where none is near, from where the system settles if its swings die out.
+        and where none is near, from where the system settles if its swings die out. Quaternions
+        have unit length there, with or without a constraint.
 
         Parameters
         ----------
@@ -2729,7 +2730,8 @@ class System:
         PyDyUserWarning
             Outputs are not finite, or samples do not begin on the constraints: dependent initial
             conditions are not solved for again where others vary. Or a reset leaves them; or a load
-            jumps on the way, which `sensitivities` do not know.
+            jumps on the way, which `sensitivities` do not know. Or a quaternion does not begin with
+            unit length; of many samples, 64 are checked for it.
 
         Notes
         -----

@@ -331,6 +331,16 @@ def test_a_quaternion_that_is_not_of_unit_length_is_a_warning(start, message):
         system.integrate()
 
 
+def test_linear_models_and_ensembles_warn_of_a_quaternion_that_is_not_of_unit_length():
+    system = turning(initial_conditions={"e0": 1.0})
+    with pytest.warns(PyDyUserWarning, match="In state 1 of `at`, e0 = 0, e1 = 0.9, .* no frame"):
+        system.linearize(at=[[1.0, *[0.0] * 6], [0.0, 0.9, *[0.0] * 5]])
+    with pytest.warns(PyDyUserWarning, match="conditions of sample 1, e0 = 1, e1 = 0.5, .* Scale"):
+        system.integrate_ensemble(initial_conditions={"e1": [0.0, 0.5]})
+    system.linearize()  # warnings are errors
+    system.integrate_ensemble(initial_conditions={"w1": [0.0, 0.5]})
+
+
 def test_a_matrix_of_small_angles_is_no_quaternion():
     q, u = me.dynamicsymbols("a1:4"), me.dynamicsymbols("w1:4")
     frame, centre = me.ReferenceFrame("N"), me.Point("C")

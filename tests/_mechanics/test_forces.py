@@ -454,6 +454,31 @@ def test_a_load_on_a_body_turned_by_a_quaternion_is_counted():
     np.testing.assert_allclose(found[:3], expected, atol=1e-13)
 
 
+def test_a_torque_on_a_massless_link_of_particles_is_warned_of_if_it_does_not_count():
+    # A motor of 7 N m between two bars without mass. It is a load of both: the pin holds no torque.
+    angles, rates = me.dynamicsymbols("a b"), me.dynamicsymbols("u v")
+    frame, origin = inertial_frame()
+    bars, pins, bobs = [frame], [origin], []
+    for name, angle, rate in zip("AB", angles, rates, strict=True):
+        bars.append(bars[-1].orientnew(name, "Axis", (angle, frame.z)))
+        bars[-1].set_ang_vel(bars[-2], rate * frame.z)
+        pins.append(pins[-1].locatenew(f"P{name}", 0.5 * bars[-1].x))
+        bobs.append(me.Particle(f"bob{name}", pins[-1], 2))
+    first, second = bars[1:]
+    loads = [(pin, -20 * frame.y) for pin in pins[1:]]
+    motor = [(first, -7 * frame.z), (second, 7 * frame.z)]
+    system = System(Definition(frame, angles, rates, bodies=bobs, loads=[*loads, *motor]))
+    with pytest.warns(UserWarning, match="not count the torque on the frame B, .* Add B to `bod"):
+        system.reaction(bobs[1], pins[1])
+    pin = system.reaction([bobs[1], second], pins[1])  # a warning is an error, from here on
+    assert system.reaction([bobs[1]], pins[1], loads=motor[1:]).torque != 0
+    system.outputs = {**pin.outputs("pin"), **system.reaction(bobs, origin).outputs("ground")}
+    values = system.evaluate_outputs([0.3, 0.5, 1.0, 0.0]).reshape(2, 6)
+    close(values[:, 5], np.zeros(2), 1e-12)  # on both bobs, the two torques cancel
+    system.reaction(bobs[0], pins[1], loads=[])  # a bob alone, without the bar that ends there
+    system.reaction(bobs[1], pins[2])
+
+
 def test_a_load_belongs_to_the_nearest_of_two_bodies_welded_together():
     x, u = me.dynamicsymbols("x u")
     frame, origin = inertial_frame()

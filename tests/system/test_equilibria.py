@@ -491,3 +491,29 @@ def test_an_angle_without_inertia_is_judged_in_no_unit(metre):
 def test_numpys_error_state_is_the_users_own_affair(call):
     with np.errstate(all="raise"):
         assert call(System(zoo.chain().kane))
+
+
+@pytest.mark.parametrize("start", [{"e0": 0.1, "e1": 0.9}, {"e0": 0.1, "e1": 0.995}, {"e1": -2.0}])
+@pytest.mark.parametrize("metre", [1.0, 1e-9])
+def test_the_quaternion_of_an_equilibrium_is_of_unit_length(start, metre):
+    # No constraint holds the length. The rates alone are also zero at e = 0, and at e1 = 0.9.
+    e, u = me.dynamicsymbols("e0:4"), me.dynamicsymbols("u1:4")
+    e0, e1, e2, e3 = e
+    frame, origin = inertial_frame()
+    body = frame.orientnew("B", "Quaternion", e)
+    body.set_ang_vel(frame, sum((w * axis for w, axis in zip(u, body, strict=True)), 0 * frame.x))
+    centre = origin.locatenew("C", 0.2 * metre * body.z)
+    inertia = (me.inertia(body, 0.08 * metre**2, 0.07 * metre**2, 0.03 * metre**2), origin)
+    top = me.RigidBody("top", centre, body, 1.3, inertia)
+    rates = sm.Matrix([[-e1, -e2, -e3], [e0, -e3, e2], [e3, e0, -e1], [-e2, e1, e0]])
+    turning = list(2 * sm.Matrix(e).diff(me.dynamicsymbols._t) - rates * sm.Matrix(u))
+    hanging = Definition(
+        frame, e, u, bodies=[top], loads=[(centre, -1.3 * 9.81 * metre * frame.z)],
+        kinematic_equations=turning,
+    )  # fmt: skip
+    system = System(hanging, initial_conditions=start)
+    found = system.find_equilibrium()
+    assert found.state[:4] @ found.state[:4] == pytest.approx(1.0, abs=1e-12)
+    squares = [1.3 * 9.81 * 0.2 / inertia for inertia in (0.08, 0.07)]  # of physical pendulums
+    frequencies = np.sort(np.abs(system.linearize(at=found).eigenvalues.imag))[-4::2]
+    assert frequencies == pytest.approx(np.sqrt(squares), rel=1e-7)

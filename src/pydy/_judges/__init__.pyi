@@ -1,3 +1,9 @@
+from .assumptions import (
+    check_orientations as check_orientations,
+    check_sample_orientations as check_sample_orientations,
+    free_quaternions as free_quaternions,
+    orientations as orientations,
+)
 from .constraint_drift import (
     check_resets as check_resets,
     check_samples as check_samples,

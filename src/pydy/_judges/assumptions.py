@@ -6,8 +6,9 @@ rotations only at unit length.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from math import prod
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -15,6 +16,7 @@ import sympy as sm
 
 from pydy._assembly import Assembly
 from pydy._errors import warn_user
+from pydy._interpolation import evenly
 from pydy._judges.tuning import TYPED
 from pydy._mechanics import (
     Equations,
@@ -25,7 +27,7 @@ from pydy._mechanics import (
 from pydy._motion import EvaluationRecorder, Motion, is_odeint
 from pydy._names import name_of, numbers_of
 from pydy._problem import AssumptionChecks, StateSamples
-from pydy.solvers import Options
+from pydy.solvers import DriftCheck, Options
 
 if TYPE_CHECKING:
     from pydy._sympy_types import AnySymbol, TimeFunction
@@ -91,6 +93,19 @@ def orientations(equations: Equations) -> tuple[sm.MatrixBase, ...]:
     return tuple(m for m in matrices if _is_of_quaternion(m, equations.coordinates))
 
 
+def free_quaternions(equations: Equations) -> tuple[tuple[int, ...], ...]:
+    """Return the indices of the coordinates of quaternions whose length no constraint holds."""
+    coordinates, constraints = equations.coordinates, equations.constraints
+    held = [set(find_symbols([row])) & {*coordinates} for row in constraints.holonomic]
+    free: dict[tuple[int, ...], None] = {}
+    for matrix in orientations(equations):
+        symbols = find_symbols(matrix).keys()
+        doubled = matrix.xreplace(dict.fromkeys(symbols, sm.S.One))
+        if set(symbols) not in held and doubled * doubled.T != sm.eye(3):  # it is not normalised
+            free[tuple(k for k, q in enumerate(coordinates) if q in symbols)] = None
+    return tuple(free)
+
+
 def _is_of_quaternion(matrix: sm.MatrixBase, coordinates: Sequence[TimeFunction]) -> bool:
     """Return whether a matrix is a quaternion's; matrices of small angles are not rotations."""
     if matrix.has(sm.sin, sm.cos):  # a quick test that excludes most matrices
@@ -116,25 +131,55 @@ class _Orientations:
         return {str(k): orthogonality_residuals([m], read) for k, m in enumerate(self.matrices)}
 
 
-def check_orientations(at: StateSamples, matrices: tuple[sm.MatrixBase, ...]) -> None:
-    """Warn of a state where a quaternion is not of unit length."""
+def check_orientations(
+    at: StateSamples, matrices: tuple[sm.MatrixBase, ...], whose: Callable[[int], str] | None = None
+) -> bool:
+    """Warn of the state where a quaternion is farthest from unit length; return whether one is.
+
+    `whose` names a state by its index; by default it is that of the initial conditions.
+    """
     rows = at.interpret(_Orientations(matrices))
     for k, matrix in enumerate(matrices):
-        deviation = float(np.abs(rows[str(k)]).max(initial=0.0))
-        if not deviation > TYPED:
+        deviations = np.abs(rows[str(k)]).max(axis=1, initial=0.0)
+        worst = int(np.argmax(np.where(np.isnan(deviations), 0.0, deviations)))
+        if not deviations[worst] > TYPED:
             continue
         symbols = find_symbols(matrix)
         indices = [i for i, q in enumerate(at.definition.equations.coordinates) if q in symbols]
-        names, values = [at.definition.states[i] for i in indices], at.x[0, indices]
+        names, values = [at.definition.states[i] for i in indices], at.x[worst, indices]
         remedy, scalar = "Scale them to unit length.", _scalar_part(matrix, names)
         if not values.any() and scalar is not None:
             remedy = f"Set {name_of(scalar)} = 1 for a frame that is not turned."
+        subject = "The initial conditions" if whose is None else whose(worst)
         warn_user(
-            f"The initial conditions {numbers_of(map(name_of, names), values)} orient no frame: "
-            f"their direction cosine matrix is no rotation, by {deviation:.2g}. A quaternion must "
-            f"be of unit length. {remedy}"
+            f"{subject} {numbers_of(map(name_of, names), values)} orient no frame: "
+            f"their direction cosine matrix is no rotation, by {deviations[worst]:.2g}. A "
+            f"quaternion must be of unit length. {remedy}"
         )
-        return  # one is enough
+        return True  # one is enough
+    return False
+
+
+def check_sample_orientations(
+    at: Callable[[np.ndarray, np.ndarray], StateSamples],
+    t: float,
+    columns: Sequence[np.ndarray],
+    shape: tuple[int, ...],
+    matrices: tuple[sm.MatrixBase, ...],
+) -> None:
+    """Warn of a sample of an ensemble, among up to 64, with a quaternion not of unit length.
+
+    The `columns` have the samples' initial values of each state, which broadcast to the `shape`.
+    """
+    numbers = evenly(prod(shape), DriftCheck.MOST_STATES)
+    x = np.stack([np.broadcast_to(a, shape).flat[numbers] for a in columns], axis=1)
+
+    def whose(k: int) -> str:
+        indices = np.unravel_index(numbers[k], shape)
+        sample = f" of sample {', '.join(map(str, indices))}" if shape else ""
+        return f"The initial conditions{sample},"
+
+    check_orientations(at(np.full(len(numbers), t), x), matrices, whose)
 
 
 def _scalar_part(matrix: sm.MatrixBase, names: Sequence[AnySymbol]) -> AnySymbol | None:

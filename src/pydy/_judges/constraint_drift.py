@@ -220,8 +220,8 @@ def check_samples(
     columns: tuple[Sequence[np.ndarray], Sequence[np.ndarray], Sequence[np.ndarray]],
     shape: tuple[int, ...],
     corrected: bool,
-) -> None:
-    """Warn of the sample of an ensemble that violates the constraints most.
+) -> bool:
+    """Warn of the sample of an ensemble that violates the constraints most, and return whether any.
 
     Redundant constraints and contradicting rates are checked for 64 samples.
     """
@@ -257,10 +257,11 @@ def check_samples(
         off = np.flatnonzero(shares > DIGITS)
         worst = np.argsort(-shares[off], kind="stable")[: DriftCheck.MOST_STATES]
         if warned_of(numbers[off[worst]]):
-            return
+            return True
     equations = states.definition.equations
     if equations.constraints.unenforced_holonomic or any(equations.constraints.redundant):
-        warned_of(np.arange(total))
+        return warned_of(np.arange(total))
+    return False
 
 
 # -- Velocity constraints that do not imply the holonomic ones -------------------------------------

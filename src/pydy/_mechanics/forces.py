@@ -14,7 +14,7 @@ angular momentum over the bodies on one side of the cut, minus the loads on them
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from itertools import pairwise, permutations
+from itertools import combinations, pairwise, permutations
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -274,6 +274,51 @@ class ConstraintForces:
             location: self._without_welded(location, bodies_there)
             for location, bodies_there in carriers.items()
         }
+
+    def uncounted(
+        self, members: Iterable[Body | Location], point: Point, further: Iterable[Location]
+    ) -> list[ReferenceFrame]:
+        """Return the frames of massless links beyond a cut whose torques are not counted.
+
+        No rigid body turns with such a frame. It turns with the line between two particles beyond
+        the cut, or from the point of the cut to one that is located from there. No particle outside
+        is fixed to it as well. Frames among the `members` or the locations of `further` loads
+        count, and torques that cancel have no effect.
+        """
+        members, further, k = list(members), list(further), self._kinematics
+        frames = [
+            frame
+            for frame, owners in self._owners.items()
+            if not (isinstance(frame, Point) or owners or frame in members or frame in further)
+        ]
+        if not frames:
+            return []
+        particles = [b for b in self.body.bodies if not is_rigid(b)]
+        inside = [b.masscenter for b in particles if b in members]
+        outside = [b.masscenter for b in particles if b not in members and b.masscenter != point]
+        near = distances(point, FrameTree.positions)
+        pairs = [*combinations(inside, 2), *((point, end) for end in inside if near[end] == 1)]
+        links = []
+        for frame in frames:
+            ends = {end for pair in self._turning_with(frame, pairs) for end in pair}
+            across = [(end, far) for end in ends for far in outside]
+            if ends and not self._turning_with(frame, across):
+                links.append(frame)
+        torques = [k.vector(v, k.inertial) for frame, v in self.body.loads if frame in links]
+        return [] if self._vanishing([torques])[0] else links
+
+    def _turning_with(
+        self, frame: ReferenceFrame, pairs: Sequence[tuple[Point, Point]]
+    ) -> list[tuple[Point, Point]]:
+        """Return the pairs of points whose distance is fixed in a frame, and not on its axis."""
+        k, spin = self._kinematics, self._spin(frame)
+        arms = [k.vector(end.pos_from(start), k.inertial) for start, end in pairs]
+        turned = [k.cross(spin, arm) for arm in arms]
+        slips = [
+            [k.dt(arm), [k.graph.neg(n) for n in v]] for arm, v in zip(arms, turned, strict=True)
+        ]
+        fixed, still = self._vanishing(slips), self._vanishing([[v] for v in turned])
+        return [pair for pair, f, s in zip(pairs, fixed, still, strict=True) if f and not s]
 
     def _without_welded(self, point: Point, bodies: Sequence[Body]) -> list[Body]:
         """Drop bodies that are welded to another body to which the point is nearer.

@@ -126,6 +126,8 @@ class Reactions:
         # A torque alone does not say at which joint it acts.
         if (further_loads is None or loads) and (known or not reactions):
             _warn_of_joints(*forces.further_joints(members, point, known), point, loads)
+        if links := forces.uncounted(members, point, [location for location, _ in loads]):
+            _warn_of_links(links)
         name = f"{_REACTION}{point}"
         force, torque = forces.reaction(members, point, frame, loads, name, self.auxiliary_forces)
         return Reaction(force, torque, frame)
@@ -227,6 +229,17 @@ def _warn_of_joints(
             f"The bodies are also joined to others{resultant} Give all bodies on one side of the "
             "joint in `bodies`, or what acts elsewhere as `loads`, or `loads=[]` for the resultant."
         )
+
+
+def _warn_of_links(frames: Sequence[ReferenceFrame]) -> None:
+    """Warn of torques on massless links between particles, which belong to no body."""
+    first = frames[0]
+    more = f" and {len(frames) - 1} more" if len(frames) > 1 else ""
+    warn_user(
+        f"The reaction's torque does not count the torque on the frame {first}{more}, which turns "
+        f"with no rigid body, but with the line to a particle among `bodies`. Add {first} to "
+        "`bodies` if the torque acts beyond the cut, or give it in `loads`."
+    )
 
 
 def _check_located(item: Point, point: Point) -> None:

@@ -12,7 +12,7 @@ from pydy._assembly import Definition
 from pydy._checks import check_mapping, describe, listed, number, refuse_twice, shown
 from pydy._errors import EquilibriumError, warn_user
 from pydy._graph import inputs_of
-from pydy._judges import warn_of_missing_derivatives
+from pydy._judges import free_quaternions, warn_of_missing_derivatives
 from pydy._names import some, unique_names
 from pydy._problem import Problem
 from pydy._program import run
@@ -57,7 +57,11 @@ class Unknowns:
 
 
 class EquilibriumResidual:
-    """Derivatives of the states and residuals of the constraints as functions of unknowns z."""
+    """Derivatives of the states and residuals of the constraints as functions of unknowns z.
+
+    The squared length of each quaternion less one is a residual, too: motions conserve it, so the
+    rates do not determine it, and a quaternion of zero length would be at rest anywhere.
+    """
 
     def __init__(
         self,
@@ -113,6 +117,9 @@ class EquilibriumResidual:
         )
         constraints = equations.constraints
         self.blocks = ["rates", *(b for b in ("holonomic", "velocity") if getattr(constraints, b))]
+        unknown_states = {*all_unknowns.of_kind("states")[1]}
+        unknown = [q for q in free_quaternions(equations) if unknown_states.intersection(q)]
+        self.quaternions = np.array(unknown, dtype=int).reshape(-1, 4)
         self.t, self.time_span, self.warned = (
             problem.t,
             float(np.ptp(np.append(problem.settings.times, problem.t))),
@@ -145,7 +152,12 @@ class EquilibriumResidual:
         """The names of the residual's rows."""
         names = self.definition.row_names("rates")
         constraint_rows = [t for b in self.blocks[1:] for t in self.definition.row_names(b)]
-        return [names[k] for k in self.rows] + constraint_rows
+        states = self.definition.states
+        lengths = [
+            f"the squared length of the quaternion {describe([states[k] for k in indices])}, less 1"
+            for indices in self.quaternions
+        ]
+        return [names[k] for k in self.rows] + constraint_rows + lengths
 
     def pairs(self, k: int) -> dict[int, int]:
         """Return the rows that are rates of the first k unknowns, with these unknowns' columns."""
@@ -172,7 +184,8 @@ class EquilibriumResidual:
         """Return the residuals, shape (m, rows); NaN in singular states."""
         point = self.point_at(z)
         parts = [point.tried(self.model.compiled(b)) for b in self.blocks]
-        return np.concatenate([parts[0][:, self.rows], *parts[1:]], axis=1)
+        lengths = (point.x[:, self.quaternions] ** 2).sum(axis=2) - 1.0
+        return np.concatenate([parts[0][:, self.rows], *parts[1:], lengths], axis=1)
 
     def slopes(self, z: np.ndarray) -> np.ndarray:
         """Return the derivatives of the residuals by the unknowns, shape (m, rows, l)."""
@@ -193,7 +206,16 @@ class EquilibriumResidual:
                     slopes = point.tried(model.compiled_jacobian(block, group))
                     part[:, :, columns] += slopes.reshape(m, part.shape[1], -1)[:, :, indices]
             parts.append(part)
-        return np.concatenate([parts[0][:, self.rows], *parts[1:]], axis=1)
+        lengths = np.zeros((m, len(self.quaternions), z.shape[1]))
+        lengths[:, :, by_state] = self._length_slopes(point.x)[:, :, at_state]
+        return np.concatenate([parts[0][:, self.rows], *parts[1:], lengths], axis=1)
+
+    def _length_slopes(self, x: np.ndarray) -> np.ndarray:
+        """Return the derivatives of the quaternions' squared lengths by the states."""
+        slopes = np.zeros((len(x), len(self.quaternions), x.shape[1]))
+        rows = np.arange(len(self.quaternions))[:, None]
+        slopes[:, rows, self.quaternions] = 2.0 * x[:, self.quaternions]
+        return slopes
 
     def sizes(self, slopes: np.ndarray, z: np.ndarray) -> list[Sizes]:
         """Return the scales of unknowns and rows; slopes (m, rows, k) are by k unknowns."""
@@ -207,6 +229,7 @@ class EquilibriumResidual:
         powers[: len(self.rows)] = np.array(self.rows) >= first
         num_holonomic = len(self.definition.equations.constraints.holonomic)
         powers[len(self.rows) : len(self.rows) + num_holonomic] = -1.0
+        powers[len(powers) - len(self.quaternions) :] = -1.0
         return [
             Sizes(slopes[i], z[i, :k], natural[i, :k], self.pairs(k), (rows[i], powers))
             for i in range(m)
@@ -223,6 +246,8 @@ class EquilibriumResidual:
         for block in self.blocks[1:]:
             columns = moving[block]
             parts.append((point.steepness(block)[:, :, columns] @ rates[:, columns, None])[:, :, 0])
+        steepness = np.abs(self._length_slopes(point.x))
+        parts.append((steepness[:, :, :first] @ rates[:, :first, None])[:, :, 0])
         return np.concatenate(parts, axis=1)
 
     def terms(self, z: np.ndarray) -> np.ndarray:
@@ -243,7 +268,7 @@ class EquilibriumResidual:
         forces = point.interpret(ForcesWithoutConstraints(self.definition))["forces"][0]
         speeds = point.motions[0, first : first + n]
         parts[0][first : first + n] += np.max(forces * speeds, initial=0.0) * speeds
-        return np.concatenate([parts[0][self.rows], *parts[1:]])
+        return np.concatenate([parts[0][self.rows], *parts[1:], np.ones(len(self.quaternions))])
 
     def problem(self, last: float | None = None) -> RootProblem:
         """Return the conditions of equilibrium, with the `last` unknown fixed unless None."""

@@ -22,7 +22,9 @@ import numpy as np
 from pydy._checks import choice, one_or_more, real_array
 from pydy._errors import warn_user
 from pydy._judges import (
+    check_orientations,
     first_violation,
+    orientations,
     warn_of_kinks,
     warn_of_missing_derivatives,
     warn_of_protected_states,
@@ -272,8 +274,9 @@ def linearize(
     definition = problem.definition
     point, single = _evaluation_point(problem, at, t)
     T, free = point.tangents()
-    if definition.equations.constraints.are_present:
-        _warn_of_violations(point)
+    violated = definition.equations.constraints.are_present and _warn_of_violations(point)
+    if not violated and (matrices := orientations(definition.equations)):
+        check_orientations(point, matrices, lambda k: f"In {_state_text(k, len(point.x))},")
     A = point.directional("rates", T)[:, free]
     symbols = definition.specifieds if inputs is None else one_or_more("inputs", inputs)
     columns = definition.places["specifieds"].columns(symbols, "inputs").tolist()
@@ -466,9 +469,10 @@ def _check_finite(parts: list[np.ndarray]) -> None:
         )
 
 
-def _warn_of_violations(point: EvaluationPoints) -> None:
-    """Warn of the first state that violates the constraints."""
-    if violation := first_violation(point):
+def _warn_of_violations(point: EvaluationPoints) -> bool:
+    """Warn of the first state that violates the constraints; return whether one does."""
+    violation = first_violation(point)
+    if violation:
         k, message = violation
         warn_user(
             f"The linear model is one of motions that keep the constraints, but "
@@ -476,6 +480,7 @@ def _warn_of_violations(point: EvaluationPoints) -> None:
             "`system.set_dependent_initial_conditions()` first, or take states of a motion "
             "that was integrated with `constraints='project'`."
         )
+    return violation is not None
 
 
 def _warn_of_motion(problem: Problem, point: EvaluationPoints) -> None:

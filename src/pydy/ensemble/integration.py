@@ -23,7 +23,13 @@ from pydy._integration import (
     with_step_limit,
     written_out,
 )
-from pydy._judges import check_samples, drift_programs, watched
+from pydy._judges import (
+    check_sample_orientations,
+    check_samples,
+    drift_programs,
+    orientations,
+    watched,
+)
 from pydy._motion import ConstraintNames, PreparedIntegration, with_residuals_projected
 from pydy._names import column_names
 from pydy._problem import (
@@ -109,9 +115,10 @@ def integrate_ensemble(
     def at(t: np.ndarray, x: np.ndarray) -> StateSamples:
         return StateSamples(definition, code, t, x, plan.inputs.rows(x, t), problem.p)
 
+    violated = False
     if definition.equations.constraints.are_present:
         corrected = options.get("constraints") is not None
-        check_samples(
+        violated = check_samples(
             at, float(times[0]), (samples.x, samples.r, samples.p), samples.shape, corrected
         )
         if motions is None:
@@ -130,6 +137,10 @@ def integrate_ensemble(
         derivatives = ensemble_sensitivities(
             at(times[:1], problem.x[None]), initial, compiled, controlled
         )
+    if ready.oriented is None:
+        ready.oriented = orientations(definition.equations)
+    if ready.oriented and not violated:
+        check_sample_orientations(at, float(times[0]), samples.x, samples.shape, ready.oriented)
     read = ready.read
     if read is None or derivatives is not None:
         read = _read(definition, solver, compiled)
