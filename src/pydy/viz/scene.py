@@ -513,9 +513,13 @@ class Scene:
     @cameras.setter
     def cameras(self, cameras: Iterable[PerspectiveCamera]) -> None:
         self._cameras = listed("cameras", cameras, "PerspectiveCamera")
-        for camera in self._cameras[:1]:
+        for camera in self._cameras:
             if not isinstance(camera, PerspectiveCamera):
-                raise TypeError(f"`cameras` must hold PerspectiveCameras, got {shown(camera)}.")
+                raise TypeError(
+                    f"`cameras` must hold PerspectiveCameras, got {shown(camera)}. Lights are "
+                    "accepted as `lights`."
+                )
+        for camera in self._cameras[:1]:
             view = direction_of(camera, self.reference_frame, self.origin)
             self._settings = self._settings if view is None else replace(self._settings, view=view)
 
