@@ -68,6 +68,7 @@ def test_a_branch_may_begin_at_its_fold(sign):
     assert len(branch.values) > 5
     np.testing.assert_allclose(branch["x"] ** 2, sign * branch.values, atol=1e-10)
     assert branch.values[-1] == sign
+    np.testing.assert_array_equal(branch["p"], branch.values)
 
 
 @pytest.mark.parametrize(("metre", "second"), [(1.0, 1.0), (1e6, 1e5), (1e-3, 1e-9)])
@@ -153,11 +154,20 @@ def test_what_is_free_is_held():
 def test_branches_go_into_xarray_and_pictures():
     import matplotlib.pyplot as plt
 
-    system, _, turn = bead_on_a_hoop()
+    system, angle, turn = bead_on_a_hoop()
     branch = system.follow_equilibria({turn: [1.0, 8.0]}, step=0.1)
     assert branch.to_xarray()["theta"].dims == ("point",)
     ax = branch.plot("theta")
     assert (ax.get_xlabel(), ax.get_ylabel()) == (r"$\Omega$", r"$\theta$")
+    system.initial_conditions = {angle: 1.0}
+    raised = system.follow_equilibria({turn: [8.0, 1.0]})
+    np.testing.assert_allclose(
+        np.abs(raised[angle]),
+        np.arccos(np.minimum(9.81 / (0.5 * raised[turn] ** 2), 1.0)),
+        atol=1e-6,
+    )
+    labels = [text.get_text() for text in raised.plot(angle).texts]
+    assert labels == ["fold, branch point"]
     plt.close("all")
     assert str(branch).startswith(
         f"{len(branch.values)} equilibria, Omega from 1 to 8: branch point"

@@ -4,6 +4,7 @@ import re
 from dataclasses import replace
 
 import numpy as np
+import pandas
 import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
@@ -70,6 +71,18 @@ def test_trials_may_begin_before_zero(oscillator, method):
 def test_samples_whose_powers_are_no_floats_are_refused(oscillator, method, size):
     with pytest.raises(ValueError, match=r"`measured\[x0\]` of .* at most .* Choose units"):
         oscillator.fit(["k0"], let_go(np.full(101, size)), method=method)
+
+
+def test_measurements_may_be_a_table_of_pandas():
+    system = multi_mass_spring_damper()
+    start = {"x0": 1.0, "v0": -0.1}
+    table = pandas.DataFrame({"x0": swing(), "note": TIMES}, index=TIMES)[["x0"]]
+    trial = Trial(table.index, table, start)
+    table["x0"] = 0.0  # its buffer may be used again
+    fit = system.fit(["k0", "c0"], trial)
+    np.testing.assert_array_equal(trial.measured["x0"], swing())
+    same = system.fit(["k0", "c0"], Trial(TIMES, {"x0": swing()}, start))
+    np.testing.assert_array_equal(fit.estimates, same.estimates)
 
 
 def test_the_truth_lies_within_the_confidence_intervals(oscillator):

@@ -13,6 +13,8 @@ from pydy.vehicles import (
     LinearTire,
     MagicFormula,
     SingleTrackCar,
+    commonroad_car,
+    lane_change,
     linear_handling,
     single_track,
     steady_turn,
@@ -199,7 +201,13 @@ def test_results_are_drawn():
     ]  # fmt: skip
     system = single_track(UNDERSTEER)
     response, turn = step_steer(system, 0.01), steady_turn(system, 100.0, [1.0, 2.0, 3.0])
-    assert response.plot().get_ylabel() == "r"
+    assert response.plot().get_ylabel() == "r (rad/s)"
+    turned = response.plot(unit=("°/s", 180 / np.pi))
+    assert turned.get_ylabel() == "r (°/s)"
+    np.testing.assert_allclose(np.radians(turned.lines[1].get_ydata()), response.values)
+    acceleration = step_steer(system, 0.01, quantity="a_y")
+    assert acceleration.plot().get_ylabel() == "a_y (m/s²)"
+    assert acceleration.plot(unit="g").get_ylabel() == "a_y (g)"
     drawn = turn.plot()
     assert drawn.get_xlabel() == "lateral acceleration (m/s²)"
     assert drawn.get_ylabel() == "steering angle (°)"
@@ -218,6 +226,10 @@ def test_what_is_no_car_is_refused():
         single_track(UNDERSTEER, [LinearTire(4000, 5e4)])
     with pytest.raises(ValueError, match="`steering` must be one of delta, got 'deltas'"):
         step_steer(single_track(UNDERSTEER), 0.01, steering="deltas")
+    with pytest.raises(ValueError, match="got 'v_delta', which is the rate of the state delta"):
+        step_steer(commonroad_car("bmw_320i"), 0.01, steering="v_delta")
+    with pytest.raises(ValueError, match="got 'v_delta', which is the rate of the state delta"):
+        lane_change(commonroad_car("bmw_320i"), 1.6, speed="v", steering="v_delta")
     with pytest.raises(ValueError, match="`quantity` must be one of x, y, psi, v, r, a_y, beta"):
         step_steer(single_track(UNDERSTEER), 0.01, quantity="yaw")
     with pytest.raises(ValueError, match=r"neither zero nor a right angle or more, got 2.0"):

@@ -206,7 +206,12 @@ def test_shapes_and_frames_can_be_changed_after_the_motion_is_set(rod):
 def test_cameras_and_lights_keep_what_they_were_given():
     camera = PerspectiveCamera("camera", N, O, fov=40.0)
     assert (camera.fov, camera.near, camera.origin) == (40.0, 1.0, O)
-    assert PointLight(N, O, color="blue").color == "blue"
+    light = PointLight(N, O, color="blue")
+    assert light.color == "blue"
+    with pytest.raises(TypeError, match=r"A PointLight takes .* got N"):
+        PointLight(N)
+    with pytest.raises(TypeError, match=r"`cameras` must hold PerspectiveCameras, .* as `lights`"):
+        Scene(N, O, cameras=[camera, light])
 
 
 # -- shapes ----------------------------------------------------------------------------------------

@@ -71,7 +71,8 @@ def read_numbers(
             raise ValueError(
                 f"{error} Remove it if it belonged to an expression that you replaced. If it "
                 f"occurs in events only, assign it in place, `system.constants[{name!r}] = ...`, "
-                "right before the first call with them."
+                "right before the first call with them; if in contacts only, pass it to "
+                f"`Contacts(system, contacts, {{{name!r}: ...}})`."
             ) from None
         raise
     if definition.assumptions and contradicted is not None and kind in definition.assumptions:

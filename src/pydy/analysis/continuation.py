@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pydy._forks import cached_property
-from pydy._names import place_of
+from pydy._names import name_of, place_of
 from pydy._optional import require
 from pydy._rank import DEPENDENT, HALF, ROUNDED, or_one, rank_of, unrounded
 from pydy.analysis.equilibria import Sizes
@@ -114,7 +114,9 @@ class EquilibriumBranch:
     __repr__ = __str__
 
     def __getitem__(self, unknown: SymbolOrName) -> np.ndarray:
-        """Return an unknown along the branch, by symbol or name."""
+        """Return an unknown, or the parameter, along the branch, by symbol or name."""
+        if name_of(unknown) == self.parameter:
+            return self.values
         return self.solutions[:, place_of(unknown, self.unknowns, "unknowns")]
 
     def to_xarray(self) -> Dataset:
@@ -127,8 +129,9 @@ class EquilibriumBranch:
         )
         return dataset
 
-    def plot(self, name: str, ax: Any = None) -> Any:
+    def plot(self, name: SymbolOrName, ax: Any = None) -> Any:
         """Plot an unknown over the parameter, dashed where unstable; return the Axes."""
+        name = self.unknowns[place_of(name, self.unknowns, "unknowns")]
         ax, solution, stable, start = axes_of(ax, "a plot"), self[name], self.stable, 0
         m = len(self.values)
         for k in range(1, m + 1):
@@ -137,10 +140,16 @@ class EquilibriumBranch:
                 style = "-" if stable[start] else "--"
                 ax.plot(self.values[run], solution[run], color="C0", linestyle=style)
                 start = k
-        for p in self.special:
+        labels: dict[tuple[float, float], list[str]] = {}
+        near = HALF * np.array([np.ptp(self.values), np.ptp(solution)])
+        for p in self.special:  # a fold may be a branch point, too: one label says both
             at = p.value, p.values[name]
+            drawn = (d for d in labels if (np.abs(np.subtract(d, at)) <= near).all())
+            labels.setdefault(next(drawn, at), []).append(p.kind)
+        for at, kinds in labels.items():
+            label = ", ".join(dict.fromkeys(kinds))
             ax.plot(*at, "o", color="C3", markersize=4)
-            ax.annotate(p.kind, at, textcoords="offset points", xytext=(4, 4), fontsize="small")
+            ax.annotate(label, at, textcoords="offset points", xytext=(4, 4), fontsize="small")
         ax.set_xlabel(typeset(self.parameter, ""))
         ax.set_ylabel(typeset(name, ""))
         return ax

@@ -775,7 +775,7 @@ class ContactRun:
         """Return the segments as one motion; a `refusal` says why it cannot be continued."""
         times, states = self.times[: self.reached].copy(), self.states[: self.reached]
         last, transitions = self.segments[-1].end, self.transitions
-        names, columns = [c.name for c in self.contacts], self.compiled.trajectory_columns
+        contacts, columns, go_on = self.contacts, self.compiled.trajectory_columns, self._go_on
         if transitions is not None and not refusal:
             refusal = (
                 "`sensitivities` of a motion that is continued are not known. Simulate over the "
@@ -792,6 +792,6 @@ class ContactRun:
             statistics={"transitions": len(self.segments) - 1, **self.totals},
             sensitivities=None if transitions is None else transitions.results(self.reached),
             label=partial(
-                contact_trajectory, columns, names, self.impacts, transitions, self._go_on, refusal
+                contact_trajectory, columns, contacts, self.impacts, transitions, go_on, refusal
             ),
         )

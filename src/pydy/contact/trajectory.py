@@ -12,6 +12,7 @@ from pydy._forks import cached_property
 from pydy._interpolation import Continuation, states_between
 from pydy._motion import Motion, Segment
 from pydy._problem import AssumptionChecks, TrajectoryModel
+from pydy.contact.conditions import Contact
 from pydy.trajectory import Columns, Trajectory
 
 _POINTS, _WEIGHTS = np.polynomial.legendre.leggauss(8)
@@ -121,13 +122,15 @@ class ContactTrajectory(Trajectory):
         to slide' or 'slides'.
     impacts : list of (float, dict)
         The time of each impact, and the impulses of each contact: normal, then tangential.
+    gaps : dict of str to expression
+        The gap of each contact that has one.
     """
 
     def __init__(
         self,
         *args: Any,
         segments: SegmentedModel,
-        names: Sequence[str],
+        contacts: Sequence[Contact],
         impacts: Sequence[tuple[float, dict[str, tuple[float, ...]], float]],
         **options: Any,
     ) -> None:
@@ -138,7 +141,10 @@ class ContactTrajectory(Trajectory):
             dense=_SegmentedDense(segments.segments) if all_dense else None,
             **options,
         )
+        names = [contact.name for contact in contacts]
         self._segments, self._names = segments, tuple(names)
+        # For scenes, which draw the planes that these belong to.
+        self.gaps = {c.name: c.unilateral.gap for c in contacts if c.unilateral is not None}
         # Consecutive segments may have the same modes, as before and after an impact.
         self.modes = [
             (parts[0].start, parts[-1].end, dict(zip(names, modes, strict=True)))
@@ -182,6 +188,7 @@ class ContactTrajectory(Trajectory):
             vars(resampled),
             _segments=self._segments,
             _names=self._names,
+            gaps=self.gaps,
             _impact_work=self._impact_work,
             _whole=self if self._whole is None else self._whole,
         )
@@ -237,7 +244,7 @@ def _outputs(motion: Motion, model: SegmentedModel) -> np.ndarray:
 
 def contact_trajectory(
     columns: Columns,
-    names: Sequence[str],
+    contacts: Sequence[Contact],
     impacts: Sequence[tuple[float, dict[str, tuple[float, ...]], float]],
     sensitivities: Any,
     proceed: Callable[[np.ndarray], Trajectory],
@@ -246,7 +253,7 @@ def contact_trajectory(
 ) -> ContactTrajectory:
     """Return the Trajectory of a Motion, with modes.
 
-    `columns` names the states and outputs, `names` the contacts. `sensitivities` are those passed
+    `columns` names the states and outputs. `sensitivities` are those passed
     through the transitions, or None. `proceed` continues the motion at further times; a `refusal`
     says why it cannot be continued.
     """
@@ -267,7 +274,7 @@ def contact_trajectory(
         events=motion.events,
         statistics=dict(motion.statistics),
         segments=model,
-        names=names,
+        contacts=contacts,
         impacts=impacts,
         **sensitivity_arguments,
     )

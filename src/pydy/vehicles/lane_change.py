@@ -14,7 +14,13 @@ import sympy as sm
 from pydy._checks import choice, instance, number, positive
 from pydy.plot import axes_of
 from pydy.system import System
-from pydy.vehicles.manoeuvres import check_name, coordinate_of, names_of, three_names
+from pydy.vehicles.manoeuvres import (
+    check_name,
+    check_steering,
+    coordinate_of,
+    names_of,
+    three_names,
+)
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -210,7 +216,7 @@ def lane_change(
     length = positive(length, "`length`", finite=True)
     preview = positive(preview, "`preview`", finite=True)
     lanes = _TRACKS[choice(track, tuple(_TRACKS), "`track`")](width)
-    check_name(steering, "steering", names_of(system.specifieds_symbols))
+    check_steering(system, steering)
     states = names_of(system.speeds)
     constants = names_of(system.constants_symbols)
     check_name(yaw_rate, "yaw_rate", states)

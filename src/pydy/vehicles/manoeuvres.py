@@ -9,10 +9,19 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pydy._checks import instance, number, one_or_more, positive, real_array, shown
+from pydy._checks import (
+    instance,
+    number,
+    one_or_more,
+    positive,
+    real_array,
+    shown,
+    unit_and_factor,
+)
 from pydy._errors import EquilibriumError, warn_user
 from pydy._names import some
-from pydy.plot import axes_of
+from pydy._rank import HALF
+from pydy.plot import axes_of, with_unit
 from pydy.system import System
 
 if TYPE_CHECKING:
@@ -23,6 +32,16 @@ if TYPE_CHECKING:
 
 _SAMPLES = 2001  # of a step response
 _SETTLED = 0.02  # largest change in the last tenth of a response, relative to its end
+_ANGLES = (0.0, 0.05, 0.2)  # of the steering (rad), with which rates are compared
+# Of the states and outputs of this package's cars, by their names before the wheel's, as in Fz_fl.
+_UNITS = {
+    **dict.fromkeys(("x", "y", "z"), "m"),
+    **dict.fromkeys(("psi", "theta", "phi", "beta", "alpha", "delta"), "rad"),
+    **dict.fromkeys(("u", "v", "w", "speed"), "m/s"),
+    **dict.fromkeys(("p", "q", "r", "omega"), "rad/s"),
+    **dict.fromkeys(("F", "Fx", "Fy", "Fz"), "N"),
+    **dict.fromkeys(("a_x", "a_y"), "m/s²"),
+}
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,23 +84,34 @@ class StepResponse:
             f"{self.response_time:.3g} s, overshoot {self.overshoot:.1%}>"
         )
 
-    def plot(self, ax: Axes | None = None) -> Axes:
+    def plot(self, ax: Axes | None = None, *, unit: str | tuple[str, float] = "") -> Axes:
         """Plot the response over time, with its steady value.
 
         Parameters
         ----------
         ax : matplotlib Axes, optional
             Where to draw; a new figure by default.
+        unit : str or (str, float), optional
+            The unit of the quantity, shown with its name; with a factor, as in ``('°/s',
+            180/np.pi)``, the values are multiplied by it. By default that of the cars of this
+            package, and none where the car has no heading ``psi`` or gives the quantity another
+            name.
 
         Returns
         -------
         matplotlib Axes
         """
+        states = names_of(self.trajectory.state_symbols)
+        state = self.quantity if self.quantity in states else ""
+        label, factor = unit_and_factor(unit, "unit", state)
+        if unit == "" and "psi" in states:
+            name = self.quantity
+            label = _UNITS.get(name) or _UNITS.get(name.partition("_")[0], "")
         ax = axes_of(ax, "pydy.vehicles")
-        ax.axhline(self.steady, color="0.7", linewidth=0.8)
-        ax.plot(self.times, self.values)
+        ax.axhline(factor * self.steady, color="0.7", linewidth=0.8)
+        ax.plot(self.times, factor * self.values)
         ax.set_xlabel("time (s)")
-        ax.set_ylabel(self.quantity)
+        ax.set_ylabel(with_unit(self.quantity, label))
         ax.margins(x=0)
         ax.grid(alpha=0.3)
         return ax
@@ -138,7 +168,7 @@ def step_steer(
         )
     duration = positive(duration, "`duration`", finite=True)
     check_name(quantity, "quantity", [*names_of(system.states), *map(str, system.outputs)])
-    check_name(steering, "steering", names_of(system.specifieds_symbols))
+    check_steering(system, steering)
     car = copy(system)
     car.specifieds = {**car.specifieds, steering: angle}
     car.times = np.linspace(0.0, duration, _SAMPLES)
@@ -375,6 +405,23 @@ def check_name(name: Any, argument: str, known: Sequence[str]) -> None:
     """Refuse what is none of the known names."""
     if not isinstance(name, str) or name not in known:
         raise ValueError(f"`{argument}` must be one of {some(known)}, got {shown(name)}.")
+
+
+def check_steering(system: System, steering: Any) -> None:
+    """Refuse what is no specified, and a steering rate: manoeuvres give an angle."""
+    check_name(steering, "steering", names_of(system.specifieds_symbols))
+    car, rates = copy(system), []
+    for angle in _ANGLES:
+        car.specifieds = {**car.specifieds, steering: angle}
+        rates.append(car.evaluate_ode())
+    changes = np.diff(rates, axis=0)
+    is_rate = (np.abs(changes - np.diff(_ANGLES)[:, None]) <= HALF).all(axis=0)
+    for k in np.flatnonzero(is_rate):
+        raise ValueError(
+            f"`steering` must be the specified that is the steering angle, got {steering!r}, which "
+            f"is the rate of the state {names_of(system.states)[k]}. Use a car whose input is the "
+            "angle, such as `single_track` or `double_track` of the same `CARS`."
+        )
 
 
 def coordinate_of(system: System, name: Any, k: int) -> Any:

@@ -92,7 +92,9 @@ def frame(animation: Animation, settings: ViewSettings) -> Framing:
         )
         direction = direction / np.linalg.norm(direction)
     height = None
-    if settings.ground is None or settings.ground is True:
+    if settings.ground is None and animation.ground is not None:
+        height = animation.ground
+    elif settings.ground is None or settings.ground is True:
         low_ends, high_ends = animation.bounds[:, 0] * up_axis, animation.bounds[:, 1] * up_axis
         height = float(np.minimum(low_ends, high_ends).sum(1).min())
     elif settings.ground is not False:
@@ -231,6 +233,7 @@ class Animation:
     events: tuple[tuple[float, str], ...] = ()  # (time, name)
     # Of each contact: (from, to, mode)
     modes: Mapping[str, Sequence[tuple[float, float, str]]] = field(default_factory=dict)
+    ground: float | None = None  # height of a horizontal floor of contacts
 
     @property
     def poses(self) -> np.ndarray:

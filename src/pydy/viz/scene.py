@@ -51,6 +51,7 @@ from pydy.viz.arguments import (
 )
 from pydy.viz.curves import TimeSeries, evaluated
 from pydy.viz.defaults import unit_vector
+from pydy.viz.floors import floors_of
 from pydy.viz.live import live_page
 from pydy.viz.motion import (
     SceneModel,
@@ -157,7 +158,8 @@ def compared(
             None: None
         }  # frames rotate differently in another run
         bounds.append(animated_run.bounds)
-        for item, shown_item in zip(animated_run.items, animation.items, strict=True):
+        shown_items = animation.items[: len(animated_run.items)]  # floors of contacts are last
+        for item, shown_item in zip(animated_run.items, shown_items, strict=True):
             if not isinstance(item.shape, (Plane, Trace)) and _is_moving(item):
                 items.append(_ghost(item, shown_item, label, frames))
     low = np.min([b[:, 0] for b in bounds], axis=0)
@@ -215,8 +217,9 @@ class Scene:
         Upward direction on the screen: an axis of the reference frame such as ``'y'`` or ``'-z'``,
         or a constant vector.
     ground : bool or float, optional
-        Height of the grid above the origin. If True (the default), it is below everything that
-        moves. If False, there is no grid.
+        Height of the grid above the origin. If True, it is below everything that moves. If False,
+        there is no grid. By default it is at the height of a horizontal floor of the trajectory's
+        contacts, whose other planes are drawn as well; without contacts as if True.
     follow : bool, optional
         Whether the camera follows the visuals; by default it does if they travel far.
     view : sequence of 3 numbers, optional
@@ -413,6 +416,12 @@ class Scene:
         scene = (self.reference_frame, self.origin, self.visuals)
         film_motion = motion.at_rows(sampled(motion.times, step))
         animation = animate(*scene, film_motion)
+        if (gaps := getattr(film, "gaps", None)) and self._settings.ground is None:
+            place, up_axis = scene[:2], self._settings.up_axis
+            floors, height = floors_of(gaps, animation, film_motion, place, up_axis)
+            if floors:
+                animation = animate(*place, (*self.visuals, *floors), film_motion)
+            animation = replace(animation, ground=height)
 
         def moved(run: Trajectory) -> Animation:
             values = (SymbolDict(motion.values) | dict(run.constants)).data
@@ -513,9 +522,13 @@ class Scene:
     @cameras.setter
     def cameras(self, cameras: Iterable[PerspectiveCamera]) -> None:
         self._cameras = listed("cameras", cameras, "PerspectiveCamera")
-        for camera in self._cameras[:1]:
+        for camera in self._cameras:
             if not isinstance(camera, PerspectiveCamera):
-                raise TypeError(f"`cameras` must hold PerspectiveCameras, got {shown(camera)}.")
+                raise TypeError(
+                    f"`cameras` must hold PerspectiveCameras, got {shown(camera)}. Lights are "
+                    "accepted as `lights`."
+                )
+        for camera in self._cameras[:1]:
             view = direction_of(camera, self.reference_frame, self.origin)
             self._settings = self._settings if view is None else replace(self._settings, view=view)
 

@@ -49,16 +49,8 @@ def VisualizationFrame(*args: object) -> Visual:
     return Visual(shape, *attachment, name=name)
 
 
-class PerspectiveCamera:
-    """A camera of PyDy's viz package; it determines the direction of view at the start.
-
-    Parameters
-    ----------
-    *args
-        An optional name; a ReferenceFrame and a Point, or a body.
-    **options
-        Accepted and ignored: the page chooses the distance, and the reader can rotate the view.
-    """
+class _Stationed:
+    """A camera or a light at a point."""
 
     fov, near, far, color = 45.0, 1.0, 1000.0, "white"
 
@@ -76,12 +68,32 @@ class PerspectiveCamera:
         self.origin = points[0]
 
 
+class PerspectiveCamera(_Stationed):
+    """A camera of PyDy's viz package; it determines the direction of view at the start.
+
+    Parameters
+    ----------
+    *args
+        An optional name; a ReferenceFrame and a Point, or a body.
+    **options
+        Accepted and ignored: the page chooses the distance, and the reader can rotate the view.
+    """
+
+
 class OrthoGraphicCamera(PerspectiveCamera):
     """Like `PerspectiveCamera`; the page always uses a perspective projection."""
 
 
-class PointLight(PerspectiveCamera):
-    """A light of PyDy's viz package; accepted and ignored, since the page has its own lights."""
+class PointLight(_Stationed):
+    """A light of PyDy's viz package; accepted and ignored, since the page has its own lights.
+
+    Parameters
+    ----------
+    *args
+        An optional name; a ReferenceFrame and a Point, or a body.
+    **options
+        Accepted and ignored.
+    """
 
 
 def animate_states(

@@ -12,7 +12,7 @@ import numpy as np
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 from fuzz.families.tires import _amount as amount, _inputs as inputs
-from fuzz.kinds import Kind, RefusedError, array, choice, integer, nothing, real
+from fuzz.kinds import Kind, RefusedError, array, choice, integer, nothing, real, text
 from fuzz.table import empty_or_none, flags, one_of, plotted, target
 from pydy.system import System
 from pydy.vehicles import (
@@ -619,6 +619,11 @@ def _(v):
 @target("StepResponse.plot.ax", _ax)
 def _(v):
     return str(plotted(_response().plot, v))
+
+
+@target("StepResponse.plot.unit", text())
+def _(v):
+    return plotted(_response().plot, unit=v).get_ylabel()
 
 
 @target("SteadyTurn.plot.ax", _ax)

@@ -33,7 +33,7 @@ class Trial:
     ----------
     times : array_like, shape (m,)
         Sampling times, ascending.
-    measured : dict
+    measured : dict or pandas.DataFrame
         Maps measured quantities to their samples, shape (m,), with NaN for missing ones. The
         quantities are states and outputs, by symbol or name, and expressions of states, specifieds
         and constants.
@@ -82,6 +82,9 @@ class Trial:
         if isinstance(self.times, np.ndarray):
             check_copied(self.times, f"`times` of {label}")
             object.__setattr__(self, "times", self.times.copy())
+        if hasattr(self.measured, "columns"):  # a pandas.DataFrame
+            columns = {key: np.array(self.measured[key]) for key in self.measured.columns}
+            object.__setattr__(self, "measured", columns)
         if isinstance(self.measured, Mapping):  # whose buffers may be used again
             for key, samples in self.measured.items():
                 check_copied(samples, f"`measured[{text_of(key)}]` of {label}")
