@@ -9,7 +9,17 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
-from pydy._checks import choice, flag, integer, listed, number, real_array, shown, text, vector
+from pydy._checks import (
+    choice,
+    flag,
+    integer,
+    listed,
+    number,
+    real_array,
+    shown,
+    text,
+    vector,
+)
 from pydy._files import path_of
 from pydy.models import multi_mass_spring_damper
 

@@ -9,7 +9,7 @@ from pydy.mechanics import Definition
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.system import System
 from pydy.viz import Bar, Box, Cube, Cylinder, Damper, Line, Sphere, Spring, Visual
-from pydy.viz.defaults import default_shape
+from pydy.viz.defaults import default_shape, guess_up
 from pydy.viz.shapes import Support
 from zoo import pictured
 
@@ -366,3 +366,21 @@ def test_a_solid_is_drawn_on_bars_where_it_is_small_beside_them():
     heavy = body(5, 2, 2, 2)  # a ball of radius 1
     assert default_shape(heavy, {}, 1.0, reach=3.0).radius == pytest.approx(1.0)
     assert default_shape(heavy, {}, 1.0, reach=1.5).radius < 0.1
+
+
+def test_only_loads_that_may_be_weights_are_expressed_in_the_frame_of_the_scene(monkeypatch):
+    q = me.dynamicsymbols("q")
+    N, P, Q = me.ReferenceFrame("N"), me.Point("P"), me.Point("Q")
+    A = N.orientnew("A", "Axis", (q, N.x))
+    m, g, k = sm.symbols("m g k")
+    expressed = []
+    to_matrix = me.Vector.to_matrix
+
+    def counted(vector, frame):
+        expressed.append(vector)
+        return to_matrix(vector, frame)
+
+    monkeypatch.setattr(me.Vector, "to_matrix", counted)
+    weight, tire = -m * g * N.y, k * q * A.x
+    assert guess_up(N, [me.Particle("p", P, m)], [(P, weight), (Q, tire)], {}) == "y"
+    assert expressed == [weight]

@@ -24,6 +24,7 @@ from .reader import checked_vector as checked_vector
 from .symbols import (
     find_symbols as find_symbols,
     function_of_time as function_of_time,
+    has_real_values as has_real_values,
     replace_symbols as replace_symbols,
     sort_symbols as sort_symbols,
 )

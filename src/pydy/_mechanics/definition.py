@@ -306,6 +306,8 @@ class Definition:
                     raise ValueError(f"`{argument}` are given, but there are no constraints.")
             return body
         chosen, near = self.dependent_coordinates, self.configuration
+        if not (self.holonomic_constraints or self._motion or chosen or self.dependent_speeds):
+            return body  # the unknowns of the residuals are the only dependent coordinates
         if implicit is not None and near:
             near = implicit.start | near
         return constrained(

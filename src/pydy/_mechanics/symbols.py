@@ -66,6 +66,26 @@ def find_symbols(expressions: Iterable[sm.Expr | sm.Matrix]) -> dict[AnySymbol, 
     return symbols
 
 
+def has_real_values(expression: sm.Expr) -> bool:
+    """Return whether an expression has no infinity, NaN, imaginary unit or matrix in it.
+
+    Each distinct object is visited once: SymPy's ``has`` walks the tree, which for the velocity of
+    a wheel at the end of a chain is larger by orders of magnitude.
+    """
+    excluded = {sm.nan, sm.zoo, sm.I, sm.oo, -sm.oo}
+    visited: dict[int, object] = {}
+    stack = [expression]
+    while stack:
+        part = stack.pop()
+        if id(part) in visited:
+            continue
+        visited[id(part)] = part
+        if isinstance(part, sm.MatrixSymbol) or (not part.args and part in excluded):
+            return False
+        stack.extend(part.args)
+    return True
+
+
 def replace_symbols(expression: sm.Expr, mapping: Mapping[AnySymbol, sm.Expr]) -> sm.Expr:
     """Replace symbols, applied undefined functions and derivatives, each taken whole.
 

@@ -13,7 +13,7 @@ import sympy as sm
 from sympy.physics.mechanics import Vector
 
 from pydy._checks import flag, number, shown
-from pydy._mechanics import checked_vector
+from pydy._mechanics import checked_vector, has_real_values
 from pydy._rank import ROUNDED
 
 
@@ -345,7 +345,7 @@ def _expressions(**arguments: object) -> list[sm.Expr]:
     expressions = []
     for name, value in arguments.items():
         if isinstance(value, sm.Expr) and not value.is_number:
-            if value.has(sm.nan, sm.zoo, sm.I, sm.oo, sm.MatrixSymbol):
+            if not has_real_values(value):
                 raise ValueError(f"`{name}` must have real values, got {shown(value)}.")
             expressions.append(value)
             continue

@@ -107,6 +107,10 @@ class SymbolicAlgebra:
         """Return the arctangent."""
         return self._unevaluated(self.sympy.atan, x)
 
+    def asin(self, x: Operand) -> Operand:
+        """Return the arcsine."""
+        return self._unevaluated(self.sympy.asin, x)
+
     def exp(self, x: Operand) -> Operand:
         """Return the exponential function."""
         return self._unevaluated(self.sympy.exp, x)
@@ -121,11 +125,11 @@ class SymbolicAlgebra:
 
     def minimum(self, x: Operand, y: Operand) -> Operand:
         """Return the smaller value."""
-        return self._unevaluated(self.sympy.Min, x, y)
+        return self._extreme(self.sympy.Min, x, y)
 
     def maximum(self, x: Operand, y: Operand) -> Operand:
         """Return the larger value."""
-        return self._unevaluated(self.sympy.Max, x, y)
+        return self._extreme(self.sympy.Max, x, y)
 
     def side(self, x: Operand) -> Operand:
         """Return −1 where x < 0, otherwise 1."""
@@ -150,9 +154,33 @@ class SymbolicAlgebra:
         return int(value) if value in (-1.0, 1.0, 2.0) else value
 
     def _of_angle(self, function: Operand, x: Operand) -> Operand:
-        # An angle that is an arctangent, such as a slip angle, needs no function.
-        inverse = isinstance(x, (self.sympy.atan, self.sympy.asin, self.sympy.acos))
-        return function(x) if inverse else self._unevaluated(function, x)
+        # An angle that is an arctangent, such as a slip angle, needs no function. SymPy knows that
+        # too, but first looks for multiples of π in the angle, which takes long.
+        if is_symbolic(x) and isinstance(x, (self.sympy.atan, self.sympy.asin, self.sympy.acos)):
+            sine, cosine = self._sine_and_cosine(x)
+            if function is self.sympy.tan:
+                return x.args[0] if isinstance(x, self.sympy.atan) else sine / cosine
+            return sine if function is self.sympy.sin else cosine
+        return self._unevaluated(function, x)
+
+    def _sine_and_cosine(self, angle: Operand) -> tuple[Operand, Operand]:
+        (z,) = angle.args
+        if isinstance(angle, self.sympy.atan):
+            hypotenuse = self.sqrt(1 + z**2)
+            return z / hypotenuse, 1 / hypotenuse
+        leg = self.sqrt(1 - z**2)
+        return (z, leg) if isinstance(angle, self.sympy.asin) else (leg, z)
+
+    def _extreme(self, kind: Operand, x: Operand, y: Operand) -> Operand:
+        # SymPy would sort the arguments by how many terms they have, and walk through all of them.
+        if not (is_symbolic(x) or is_symbolic(y)):
+            return self._unevaluated(kind, x, y)
+        arguments = frozenset((self.sympy.sympify(x), self.sympy.sympify(y)))
+        if len(arguments) == 1:
+            return x
+        result = self.sympy.Expr.__new__(kind, *map(self.sympy.sympify, (x, y)))
+        result._argset = arguments
+        return result
 
     def _unevaluated(self, function: Operand, *arguments: Operand) -> Operand:
         # SymPy would ask for the sign of each part of an expression.
@@ -172,7 +200,8 @@ def algebra_of(*values: object) -> Algebra:
 
 def is_symbolic(value: Operand) -> bool:
     """Return whether a value is a SymPy expression and no number."""
-    return hasattr(value, "free_symbols") and not getattr(value, "is_number", False)
+    # Of the class: to ask an expression for its symbols walks through all of it.
+    return hasattr(type(value), "free_symbols") and not getattr(value, "is_number", False)
 
 
 def checked_quantity(value: Operand, label: str, *, arrays: bool = True) -> Operand:
@@ -180,9 +209,11 @@ def checked_quantity(value: Operand, label: str, *, arrays: bool = True) -> Oper
     if is_symbolic(value):
         import sympy as sm
 
+        from pydy._mechanics import has_real_values
+
         if not isinstance(value, sm.Expr):
             raise TypeError(f"{label} must be a number or an expression, got {shown(value)}.")
-        if value.has(sm.nan, sm.zoo, sm.I, sm.oo, sm.MatrixSymbol):
+        if not has_real_values(value):
             raise ValueError(f"{label} must have real values, got {shown(value)}.")
         return value
     if not arrays or isinstance(value, (float, int)):

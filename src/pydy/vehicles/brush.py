@@ -69,4 +69,5 @@ class BrushTire(TireParameters):
         rise = mu * Fz * ratio * shape
         Fy = -rise * tangent
         trail = m.constant(self.half_length) * m.sqrt(n) * (1 - q) ** 3 / shape
-        return rise * state.kappa, Fy, 0 * Fz, 0 * Fz, -trail * Fy
+        none = m.constant(0.0)
+        return rise * state.kappa, Fy, none, none, -trail * Fy

@@ -114,4 +114,4 @@ class Wheel:
 
 def _size(speed: sm.Expr) -> sm.Expr:
     """Return the speed that slips are relative to."""
-    return sm.Max(sm.Abs(speed), LOWEST_SPEED, evaluate=False)
+    return sm.Max(sm.Abs(speed, evaluate=False), LOWEST_SPEED, evaluate=False)

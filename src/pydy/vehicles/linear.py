@@ -76,7 +76,7 @@ class LinearTire(TireParameters):
         return (
             n * m.constant(self.slip_stiffness) * state.kappa,
             Fy,
-            0 * Fz,
+            m.constant(0.0),
             -m.constant(self.rolling_resistance) * Fz * sign,
             m.constant(self.trail) * side,
         )

@@ -70,7 +70,7 @@ def transient_slips(
     damping = slow * checked["damping"]
     return TransientSlips(
         (growth * u - damping * sliding.forward) / lag_x,
-        sm.atan((growth * v + damping * sliding.left) / lag_y),
+        sm.atan((growth * v + damping * sliding.left) / lag_y, evaluate=False),
         [
             u.diff(t) + sliding.forward + decay / lag_x * u,
             v.diff(t) - sliding.left + decay / lag_y * v,

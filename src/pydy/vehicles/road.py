@@ -11,6 +11,7 @@ from sympy.physics.mechanics import Point, ReferenceFrame, Vector, dynamicsymbol
 
 from pydy._checks import instance, shown
 from pydy.vehicles.algebra import checked_quantity
+from pydy.vehicles.vectors import dot
 from pydy.vehicles.wheel import WheelContact
 from pydy.vehicles.wheel_arguments import SurfacePoint
 
@@ -122,7 +123,7 @@ class RoadSurface:
                 "`wheel` must touch this surface: make it with its `point` and `normal`."
             )
         offset = wheel.body.masscenter.pos_from(self.point) + wheel.contact
-        return {s: offset.dot(t) for s, t in zip(self.place, self._tangents, strict=True)}
+        return {s: dot(offset, t) for s, t in zip(self.place, self._tangents, strict=True)}
 
 
 def _place(place: object) -> tuple[TimeFunction, TimeFunction]:

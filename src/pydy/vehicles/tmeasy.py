@@ -162,7 +162,8 @@ class TMeasy(TireEquations):
         Fx = per_load * rise * state.kappa / weight_x
         Fy = -per_load * rise * tangent / weight_y
         trail = value["trail"] * _relative_trail(m, m.abs(tangent), value)
-        return Fx, Fy, 0 * Fz, 0 * Fz, -trail * Fy
+        none = m.constant(0.0)
+        return Fx, Fy, none, none, -trail * Fy
 
 
 def _combined(

@@ -10,6 +10,7 @@ from sympy.physics.mechanics import Vector
 
 from pydy.vehicles.algebra import Operand
 from pydy.vehicles.tuning import SMALLEST_DEFLECTION
+from pydy.vehicles.vectors import cross, dot
 
 if TYPE_CHECKING:
     from pydy._sympy_types import Expression
@@ -39,18 +40,18 @@ class WheelMotion:
     @property
     def lean(self) -> Expression:
         """Sine of the camber angle, positive if the top leans to the right."""
-        return self.axis.dot(self.normal)
+        return dot(self.axis, self.normal)
 
     @property
     def lean_rate(self) -> Expression:
         """Time derivative of the lean."""
-        rate = self.rotation.cross(self.axis).dot(self.normal)
-        return rate if self.turning is None else rate + self.axis.dot(self.turning)
+        rate = dot(cross(self.rotation, self.axis), self.normal)
+        return rate if self.turning is None else rate + dot(self.axis, self.turning)
 
     def rate_of(self, offset: Vector) -> Expression:
         """Return the rate of the distance of the lowest point, which is at an offset."""
-        rate = (self.velocity + self.rotation.cross(offset)).dot(self.normal)
-        return rate if self.turning is None else rate + (self.position + offset).dot(self.turning)
+        rate = dot(self.velocity + cross(self.rotation, offset), self.normal)
+        return rate if self.turning is None else rate + dot(self.position + offset, self.turning)
 
 
 @dataclass(frozen=True)
@@ -76,7 +77,7 @@ def touch_of_torus(
 
     The deflection is along the wheel plane: C lies on the ground at any camber.
     """
-    height = wheel.position.dot(wheel.normal)
+    height = dot(wheel.position, wheel.normal)
     gap = height - (radius - crown) * upright - crown
     lowest = (radius - crown) * down - crown * wheel.normal
     return Touch(gap, wheel.rate_of(lowest), lowest + gap / upright * down, lowest, gap)
@@ -90,7 +91,7 @@ def touch_of_cylinder(
     Across the tread the deflection is −gap₀ − y sin γ: a trapezoid, or a triangle if an edge lifts.
     C is in its centroid.
     """
-    lean, height = wheel.lean, wheel.position.dot(wheel.normal)
+    lean, height = wheel.lean, dot(wheel.position, wheel.normal)
     slope = sm.Abs(lean, evaluate=False)
     side = sm.sign(lean, evaluate=False)
     middle = height - radius * upright

@@ -12,10 +12,11 @@ from sympy.physics.mechanics import Point, ReferenceFrame, RigidBody, Vector
 from pydy._checks import instance, shown
 from pydy.contact import Stick
 from pydy.solvers import Event
-from pydy.vehicles.algebra import is_symbolic
+from pydy.vehicles.algebra import SymbolicAlgebra, is_symbolic
 from pydy.vehicles.forces import Tire, TireForces, checked_parameters
 from pydy.vehicles.relaxation import SlidingSpeeds, camber_equation, transient_slips
 from pydy.vehicles.tread import WheelMotion, touch_of_cylinder, touch_of_torus
+from pydy.vehicles.vectors import cross, dot
 from pydy.vehicles.wheel_arguments import (
     Law,
     check_unit,
@@ -214,6 +215,7 @@ class WheelContact:
                 "`width` is that of a flat tread, which is deflected unevenly: give a `force`, and "
                 "no `crown_radius`."
             )
+        m = SymbolicAlgebra()
         self.body, self.normal = body, normal
         self._axis, self._frame = axis, frame
         centre = body.masscenter
@@ -228,33 +230,33 @@ class WheelContact:
         )
         lean = wheel.lean
         upright = sm.sqrt(1 - lean**2)  # cos γ
-        self.forward = axis.cross(normal) / upright
-        self.left = normal.cross(self.forward)
-        down = axis.cross(self.forward)
+        self.forward = cross(axis, normal) / upright
+        self.left = cross(normal, self.forward)
+        down = cross(axis, self.forward)
         if width is None:
             touch = touch_of_torus(wheel, r, crown, upright, down)
         else:
             touch = touch_of_cylinder(wheel, r, sizes["width"], upright, down)
         self.gap, self.rate = touch.gap, touch.rate
         self.normal_force = None if force is None else normal_force_of(force, self.gap, self.rate)
-        self.loaded_radius = wheel.position.dot(normal) / upright
+        self.loaded_radius = dot(wheel.position, normal) / upright
         self.contact = touch.rim if force is None else touch.contact
         velocity, rotation = wheel.velocity, wheel.rotation
-        sliding = velocity + rotation.cross(self.contact)
-        self.speed = velocity.dot(self.forward)
-        sliding_forward = rolling_forward = sliding.dot(self.forward)
+        sliding = velocity + cross(rotation, self.contact)
+        self.speed = dot(velocity, self.forward)
+        sliding_forward = rolling_forward = dot(sliding, self.forward)
         if rolling_radius is not None:
-            arm, spin = self.contact.cross(axis).dot(self.forward), rotation.dot(axis)
+            arm, spin = dot(cross(self.contact, axis), self.forward), dot(rotation, axis)
             radius_now = rolling_radius_of(rolling_radius, self.normal_force)
             sliding_forward += (arm - radius_now) * spin
             # A load that depends on the rate would make the constraint nonlinear in the speeds.
             static = None if force is None else normal_force_of(force, self.gap, sm.S.Zero)
             rolling_forward += (arm - rolling_radius_of(rolling_radius, static)) * spin
-        self._sliding = SlidingSpeeds(r, self.speed, sliding_forward, sliding.dot(self.left))
-        size = sm.Max(sm.Abs(self.speed), sizes["low_speed"], evaluate=False)
+        self._sliding = SlidingSpeeds(r, self.speed, sliding_forward, dot(sliding, self.left))
+        size = m.maximum(m.abs(self.speed), sizes["low_speed"])
         self.kappa = -self._sliding.forward / size
-        self.alpha = sm.atan(self._sliding.left / size)
-        self.gamma = sm.asin(lean)
+        self.alpha = sm.sympify(m.atan(self._sliding.left / size))
+        self.gamma = sm.sympify(m.asin(lean))
         self.events = [] if force is None else [Event(touch.clearance, name=name)]
         self.holonomic_constraints = [self.gap] if force is None else []
         self.nonholonomic_constraints = [rolling_forward, self._sliding.left]
@@ -376,7 +378,7 @@ class WheelContact:
             instance(carrier, ReferenceFrame, "`carrier`")
         checked = checked_parameters({"torque": torque}, not_negative=("torque",))
         turning = self.body.frame.ang_vel_in(carrier or self._frame)
-        return Stick(turning.dot(self._axis), mu=1, normal=checked["torque"], name=name)
+        return Stick(dot(turning, self._axis), mu=1, normal=checked["torque"], name=name)
 
     def forces(self, tire: Tire, pressure: Expression | float | None = None) -> TireForces:
         """Return the forces and moments of a tire on this wheel, for outputs.
@@ -428,5 +430,5 @@ class WheelContact:
         forces = TireForces(0, 0, 0, 0, 0) if tire is None else self.forces(tire, pressure)
         force = forces.Fx * self.forward + forces.Fy * self.left + self.normal_force * self.normal
         moment = forces.Mx * self.forward + forces.My * self.left + forces.Mz * self.normal
-        torque = moment + self.contact.cross(force)
+        torque = moment + cross(self.contact, force)
         return [(self.body.masscenter, force), (self.body.frame, torque)]

@@ -12,7 +12,7 @@ from sympy.physics.mechanics import RigidBody
 from sympy.physics.vector import ReferenceFrame, Vector
 
 from pydy._checks import listed, real_array, shown
-from pydy._mechanics import FrameTree
+from pydy._mechanics import FrameTree, find_symbols, replace_symbols
 from pydy._rank import DIGITS, HALF
 from pydy.viz.outlines import Outline
 from pydy.viz.shapes import (
@@ -242,7 +242,7 @@ def load_arrows(bodies: Iterable[Body], loads: Iterable[Load]) -> list[Visual]:
 
 def gravities(expression: sm.Expr) -> list[sm.Symbol]:
     """Return the symbols of an expression that are named like the acceleration of gravity."""
-    return [s for s in expression.free_symbols if str(s) in ("g", "G", "gravity")]
+    return [s for s in find_symbols([expression]) if str(s) in ("g", "G", "gravity")]
 
 
 def _constant_parts(weights: Sequence[sm.Expr], values: Mapping[AnySymbol, float]) -> np.ndarray:
@@ -251,13 +251,13 @@ def _constant_parts(weights: Sequence[sm.Expr], values: Mapping[AnySymbol, float
     A weight written in the axes of a body has sines and cosines that cancel. SymPy does not
     simplify them, so the components are compared at a few states.
     """
-    symbols = set().union(*(weight.free_symbols for weight in weights))
-    numbers = {s: sm.Float(values.get(s, 1.0)) for s in symbols}
-    moving = sorted(set().union(*(w.atoms(AppliedUndef, sm.Derivative) for w in weights)), key=str)
+    symbols = find_symbols(weights)
+    moving = sorted((s for s in symbols if not s.is_Symbol), key=str)
+    numbers = {s: sm.Float(values.get(s, 1.0)) for s in symbols if s.is_Symbol}
     samples = []
     for state in np.random.default_rng(0).uniform(-1.0, 1.0, (3 if moving else 1, len(moving))):
         at = {**numbers, **dict(zip(moving, map(sm.Float, state), strict=True))}
-        components = [weight.xreplace(at) for weight in weights]
+        components = [replace_symbols(weight, at) for weight in weights]
         samples.append([float(n) if n.is_number and n.is_real else np.nan for n in components])
     rows = np.array(samples)
     steady = np.ptp(rows, axis=0) <= HALF * np.abs(np.nan_to_num(rows)).max()
@@ -278,6 +278,12 @@ def guess_up(
     masses = {body.masscenter: sm.sympify(body.mass) for body in bodies}
     pull = np.zeros(3)
     for target, vector in loads:
+        inside = [entry for part, _ in vector.args for entry in part]
+        of_mass = find_symbols([masses[target]]) if target in masses else None
+        is_weight = of_mass is not None and find_symbols(inside).keys() <= of_mass.keys()
+        # SymPy takes minutes for the components of a tire's force in this frame.
+        if not (is_weight or any(map(gravities, inside))):
+            continue
         try:
             components = vector.to_matrix(frame)
         except ValueError:
@@ -287,7 +293,7 @@ def guess_up(
             symbols = gravities(component)
             if len(symbols) == 1:
                 weights.append(component.diff(symbols[0]))
-            elif target in masses and not component.free_symbols - masses[target].free_symbols:
+            elif of_mass is not None and find_symbols([component]).keys() <= of_mass.keys():
                 weights.append(component)
             else:
                 weights.append(sm.S.Zero)
