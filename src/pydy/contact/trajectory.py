@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from itertools import groupby
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -14,6 +14,9 @@ from pydy._motion import Motion, Segment
 from pydy._problem import AssumptionChecks, TrajectoryModel
 from pydy.contact.conditions import Contact
 from pydy.trajectory import Columns, Trajectory
+
+if TYPE_CHECKING:
+    import sympy as sm
 
 _POINTS, _WEIGHTS = np.polynomial.legendre.leggauss(8)
 
@@ -141,10 +144,13 @@ class ContactTrajectory(Trajectory):
             dense=_SegmentedDense(segments.segments) if all_dense else None,
             **options,
         )
-        names = [contact.name for contact in contacts]
+        names: list[str] = []
+        self.gaps: dict[str, sm.Expr] = {}  # scenes draw the planes that these belong to
+        for contact in contacts:
+            names.append(contact.name)
+            if contact.unilateral is not None:
+                self.gaps[contact.name] = contact.unilateral.gap
         self._segments, self._names = segments, tuple(names)
-        # For scenes, which draw the planes that these belong to.
-        self.gaps = {c.name: c.unilateral.gap for c in contacts if c.unilateral is not None}
         # Consecutive segments may have the same modes, as before and after an impact.
         self.modes = [
             (parts[0].start, parts[-1].end, dict(zip(names, modes, strict=True)))
