@@ -11,7 +11,7 @@ import numpy as np
 from pydy._assembly import Assembly
 from pydy._errors import warn_user
 from pydy._graph import Branches, jacobian, rounding_bounds
-from pydy._judges.switched_rates import (
+from pydy._judges.discontinuities import (
     has_any,
     inputs_of_groups,
     loads_and_rates,
