@@ -1,5 +1,7 @@
 """Bicycles and motorcycles against the published benchmark and equations that are written down."""
 
+import cProfile
+import pstats
 from dataclasses import replace
 from functools import cache
 
@@ -290,3 +292,29 @@ def test_constants_are_checked():
         replace(BENCHMARK, steer_axis_tilt=2.0)
     with pytest.raises(TypeError, match="`front_wheel` must"):
         replace(BENCHMARK, front_wheel=0.3)
+
+
+def test_the_scene_of_a_motorcycle_takes_few_calls():
+    machine = motorcycle(SHARP)
+    with cProfile.Profile() as profile:
+        machine.scene()
+    # 0.55 million; minutes where SymPy differentiates and prints the forces of the tires.
+    assert pstats.Stats(profile).total_calls < 1.5e6
+
+
+def test_wheels_let_a_motorcycle_lean_more_in_a_steady_turn():
+    """Their gyroscopic moments add (J_f + J_r)/(R m h) to tan(lean)/(u²/(g radius))."""
+    machine = motorcycle(SHARP)
+    speed, radius = 15.0, 6000.0
+    machine.initial_conditions = {**machine.initial_conditions, "u": speed, "r": speed / radius}
+    given = {"x", "y", "psi", "u", "r"}
+    unknowns = [s for s in machine.states if s.name not in given] + ["T_delta", "T_r"]
+    leans, spins = [], (machine.constants["J_f"], machine.constants["J_r"])
+    for share in (1.0, 0.5):
+        machine.constants["J_f"], machine.constants["J_r"] = (share * J for J in spins)
+        turn = machine.find_equilibrium(unknowns, moving=["x", "y", "psi"])
+        leans.append(-np.tan(turn["phi"]) * 9.81 * radius / speed**2)
+        assert abs(leans[-1] - 1.0) < 0.04
+    c = machine.constants
+    moment = c["m_B"] * c["z_B"] + c["m_H"] * c["z_H"]  # its wheels' masses are in the frames
+    assert leans[0] - leans[1] == pytest.approx(0.5 * sum(spins) / (c["R_f"] * moment), rel=1e-3)

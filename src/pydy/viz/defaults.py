@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import sympy as sm
-from sympy.core.function import AppliedUndef
+from sympy.core.function import Application, AppliedUndef
 from sympy.physics.mechanics import RigidBody
 from sympy.physics.vector import ReferenceFrame, Vector
 
 from pydy._checks import listed, real_array, shown
-from pydy._mechanics import FrameTree, find_symbols, replace_symbols
+from pydy._mechanics import FrameTree, find_symbols, parts_of, replace_symbols
 from pydy._rank import DIGITS, HALF
 from pydy.viz.outlines import Outline
 from pydy.viz.shapes import (
@@ -264,6 +264,22 @@ def _constant_parts(weights: Sequence[sm.Expr], values: Mapping[AnySymbol, float
     return np.where(steady, rows[0], 0.0)
 
 
+def _weight_in(force: Vector) -> Vector:
+    """Return the terms of a force that may be weights: with `g`, in axes that may turn."""
+
+    def is_weight(term: sm.Expr) -> bool:
+        turns = (sm.sin, sm.cos, AppliedUndef)
+        others = (p for p in parts_of(term) if isinstance(p, Application))
+        return bool(gravities(term)) and all(isinstance(p, turns) for p in others)
+
+    parts = []
+    for entries, frame in force.args:
+        terms = [[*filter(is_weight, sm.Add.make_args(entry))] for entry in entries]
+        if any(terms):
+            parts.append((sm.Matrix([sm.Add(*of_entry) for of_entry in terms]), frame))
+    return Vector(parts)
+
+
 def guess_up(
     frame: ReferenceFrame,
     bodies: Iterable[Body],
@@ -281,11 +297,13 @@ def guess_up(
         inside = [entry for part, _ in vector.args for entry in part]
         of_mass = find_symbols([masses[target]]) if target in masses else None
         is_weight = of_mass is not None and find_symbols(inside).keys() <= of_mass.keys()
-        # SymPy takes minutes for the components of a tire's force in this frame.
-        if not (is_weight or any(map(gravities, inside))):
+        # SymPy takes minutes for the components of a tire's force in this frame, and for their
+        # derivatives.
+        weight = vector if is_weight else _weight_in(vector)
+        if not weight.args:
             continue
         try:
-            components = vector.to_matrix(frame)
+            components = weight.to_matrix(frame)
         except ValueError:
             continue
         weights = []

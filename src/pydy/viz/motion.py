@@ -133,9 +133,7 @@ class _Poses:
         parts = {
             "rotations": [c for f in geometry.frames for row in self.rotation(f) for c in row],
             "positions": [c for p in geometry.points for c in self.position(p)],
-            "vectors": [
-                c for v in geometry.vectors for c in self.components(v, f"the arrow `{v}`")
-            ],
+            "vectors": [c for v in geometry.vectors for c in self._arrow(v)],
             "series": [self.nodes([e], f"the series `{k}`")[0] for k, e in geometry.series],
         }
         shapes = [
@@ -191,6 +189,12 @@ class _Poses:
                 "that point or from one that is located from it, or choose another `origin`."
             ) from None
         return self.components(vector, f"the position of point `{point}`")
+
+    def _arrow(self, vector: Vector) -> Vector3:
+        try:
+            return self.components(vector, "the arrow")
+        except (TypeError, ValueError):  # a message with its text, which for tires takes seconds
+            return self.components(vector, f"the arrow `{vector}`")
 
     def components(self, vector: Vector, description: str) -> Vector3:
         """Return the components of a SymPy vector in the reference frame."""

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import sympy as sm
@@ -18,6 +18,7 @@ from sympy.physics.mechanics import Point, RigidBody, Vector, dynamicsymbols
 from pydy._mechanics import (
     FrameTree,
     find_symbols,
+    parts_of,
 )
 from pydy._program import run
 from pydy._rank import HALF, rank_of
@@ -243,7 +244,8 @@ class _Outliner:
                 vectors[a, b, symbol] = _slope(vectors[a, b], symbol)
         for k, (_, force) in enumerate(self.loads):
             vectors["force", k] = force
-            for symbol in _functions(force):
+            # SymPy takes minutes for derivatives of a tire's force.
+            for symbol in () if _jumps(force) else _functions(force):
                 vectors["stiffness", k, symbol] = _slope(force, symbol)
         for body in self.rigid:
             for point, offset in FrameTree.positions(body.masscenter).items():
@@ -565,21 +567,24 @@ def _constant(rows: np.ndarray) -> bool:
 
 def _functions(vector: Vector) -> list[AnySymbol]:
     """Return the functions of time in a vector's components, without those of its frames."""
-    every = (c for part, _ in vector.args for c in part)
-    return sorted({f for c in every for f in sm.sympify(c).atoms(AppliedUndef)}, key=str)
+    return sorted(_inside(vector, AppliedUndef), key=str)
 
 
 def _derivatives(vector: Vector) -> set[sm.Derivative]:
-    return {d for part, _ in vector.args for c in part for d in sm.sympify(c).atoms(sm.Derivative)}
+    return _inside(vector, sm.Derivative)
+
+
+def _inside(vector: Vector, *kinds: type) -> set[Any]:
+    """Return what is of some kinds in a vector's components."""
+    every = (sm.sympify(c) for part, _ in vector.args for c in part)
+    return {p for c in every for p in parts_of(c) if isinstance(p, kinds)}
 
 
 def _varying(vector: Vector) -> list[AnySymbol]:
     """Return the functions in a vector, and the time if it occurs explicitly."""
     functions = _functions(vector)
-    time = dynamicsymbols._t
-    hidden = {f: sm.Dummy() for f in functions}
-    if any(time in part.xreplace(hidden).free_symbols for part, _ in vector.args):
-        functions.append(time)
+    if dynamicsymbols._t in find_symbols([part for part, _ in vector.args]):
+        functions.append(dynamicsymbols._t)
     return functions
 
 
@@ -599,4 +604,4 @@ def _slope(vector: Vector, symbol: AnySymbol) -> Vector:
 
 def _jumps(vector: Vector) -> bool:
     """Return whether a force is not smooth, as those of contacts and friction."""
-    return any(part.has(*_JUMPS) for part, _ in vector.args)
+    return bool(_inside(vector, *_JUMPS))
