@@ -24,8 +24,6 @@ from .reader import checked_vector as checked_vector
 from .symbols import (
     find_symbols as find_symbols,
     function_of_time as function_of_time,
-    has_real_values as has_real_values,
-    parts_of as parts_of,
     replace_symbols as replace_symbols,
     sort_symbols as sort_symbols,
 )

@@ -13,7 +13,8 @@ import sympy as sm
 from sympy.physics.mechanics import Vector
 
 from pydy._checks import flag, number, shown
-from pydy._mechanics import checked_vector, has_real_values
+from pydy._expressions import has_real_values
+from pydy._mechanics import checked_vector
 from pydy._rank import ROUNDED
 
 

@@ -209,7 +209,7 @@ def checked_quantity(value: Operand, label: str, *, arrays: bool = True) -> Oper
     if is_symbolic(value):
         import sympy as sm
 
-        from pydy._mechanics import has_real_values
+        from pydy._expressions import has_real_values
 
         if not isinstance(value, sm.Expr):
             raise TypeError(f"{label} must be a number or an expression, got {shown(value)}.")

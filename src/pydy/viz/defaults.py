@@ -12,7 +12,8 @@ from sympy.physics.mechanics import RigidBody
 from sympy.physics.vector import ReferenceFrame, Vector
 
 from pydy._checks import listed, real_array, shown
-from pydy._mechanics import FrameTree, find_symbols, parts_of, replace_symbols
+from pydy._expressions import parts_of
+from pydy._mechanics import FrameTree, find_symbols, replace_symbols
 from pydy._rank import DIGITS, HALF
 from pydy.viz.outlines import Outline
 from pydy.viz.shapes import (

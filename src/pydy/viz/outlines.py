@@ -15,11 +15,8 @@ import sympy as sm
 from sympy.core.function import AppliedUndef
 from sympy.physics.mechanics import Point, RigidBody, Vector, dynamicsymbols
 
-from pydy._mechanics import (
-    FrameTree,
-    find_symbols,
-    parts_of,
-)
+from pydy._expressions import parts_of
+from pydy._mechanics import FrameTree, find_symbols
 from pydy._program import run
 from pydy._rank import HALF, rank_of
 from pydy.viz.motion import Geometry, Names, pose_program

@@ -3,7 +3,7 @@
 import pytest
 import sympy as sm
 
-from pydy._mechanics.symbols import has_real_values
+from pydy._expressions import has_real_values
 
 
 @pytest.mark.parametrize(
