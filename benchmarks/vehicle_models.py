@@ -44,7 +44,7 @@ MB = (
 PATIENCE = 15.0  # s, until code is compiled for the last time
 TIMES = np.linspace(0.0, 1.0, 21)
 SHOWN = np.linspace(0.0, 1.0, 101)  # the times of a manoeuvre, as in the package's examples
-TOLERANCES = (1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11)
+TOLERANCES = tuple(float(f"{digit}e-{power}") for power in range(6, 12) for digit in (1, 0.3))
 SOLVERS = (dop853, tsit5, radau)
 FAILED = 1e-3  # an error that no tolerance of 1e-8 explains
 # The steering rate (rad/s) and the acceleration (m/s²), constant for one second.
