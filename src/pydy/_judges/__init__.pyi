@@ -2,7 +2,6 @@ from .assumptions import (
     check_orientations as check_orientations,
     check_sample_orientations as check_sample_orientations,
     free_quaternions as free_quaternions,
-    orientations as orientations,
 )
 from .constraint_drift import (
     check_resets as check_resets,

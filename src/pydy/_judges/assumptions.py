@@ -20,7 +20,6 @@ from pydy._interpolation import evenly
 from pydy._judges.tuning import TYPED
 from pydy._mechanics import (
     Equations,
-    FrameTree,
     find_symbols,
     orthogonality_residuals,
 )
@@ -30,7 +29,7 @@ from pydy._problem import AssumptionChecks, StateSamples
 from pydy.solvers import DriftCheck, Options
 
 if TYPE_CHECKING:
-    from pydy._sympy_types import AnySymbol, TimeFunction
+    from pydy._sympy_types import AnySymbol
 
 
 def check_assumptions(motion: Motion) -> None:
@@ -83,41 +82,18 @@ def _accepted(
 
 # -- Orientations at the start ---------------------------------------------------------------------
 
-_UNITS = [[sm.Rational(n, 10) for n in numbers] for numbers in ((5, 5, 5, 5), (1, 7, 1, 7))]
-
-
-def orientations(equations: Equations) -> tuple[sm.MatrixBase, ...]:
-    """Return the direction cosine matrices of quaternions: rotations only at unit length."""
-    made_from = equations.mechanism or equations.multibody
-    matrices = () if made_from is None else FrameTree(made_from.frame).rotation_matrices()
-    return tuple(m for m in matrices if _is_of_quaternion(m, equations.coordinates))
-
 
 def free_quaternions(equations: Equations) -> tuple[tuple[int, ...], ...]:
     """Return the indices of the coordinates of quaternions whose length no constraint holds."""
     coordinates, constraints = equations.coordinates, equations.constraints
     held = [set(find_symbols([row])) & {*coordinates} for row in constraints.holonomic]
     free: dict[tuple[int, ...], None] = {}
-    for matrix in orientations(equations):
+    for matrix in equations.quaternion_matrices:
         symbols = find_symbols(matrix).keys()
         doubled = matrix.xreplace(dict.fromkeys(symbols, sm.S.One))
         if set(symbols) not in held and doubled * doubled.T != sm.eye(3):  # it is not normalised
             free[tuple(k for k, q in enumerate(coordinates) if q in symbols)] = None
     return tuple(free)
-
-
-def _is_of_quaternion(matrix: sm.MatrixBase, coordinates: Sequence[TimeFunction]) -> bool:
-    """Return whether a matrix is a quaternion's; matrices of small angles are not rotations."""
-    if matrix.has(sm.sin, sm.cos):  # a quick test that excludes most matrices
-        return False
-    symbols = find_symbols(matrix)
-    if len(symbols) != 4 or not symbols.keys() <= {*coordinates}:
-        return False
-    for numbers in _UNITS:
-        rotation = matrix.xreplace(dict(zip(symbols, numbers, strict=True)))
-        if rotation * rotation.T != sm.eye(3):
-            return False
-    return True
 
 
 @dataclass(frozen=True)

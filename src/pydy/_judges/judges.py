@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from pydy._judges.assumptions import check_assumptions, check_orientations, orientations
+from pydy._judges.assumptions import check_assumptions, check_orientations
 from pydy._judges.constraint_drift import check_drift, check_resets, check_start
 from pydy._judges.discontinuities import warn_of_impulses, warn_of_pulses
 from pydy._motion import Motion, PreparedIntegration
@@ -20,10 +20,9 @@ def judge_start(problem: Problem, times: np.ndarray, ready: PreparedIntegration)
     at_start, off = (times[:1], problem.x[None]), False
     if ready.constrained:
         off = check_start(problem.at(*at_start), corrected=ready.enforced)
-    if ready.oriented is None:
-        ready.oriented = orientations(problem.definition.equations)
-    if ready.oriented and not off:
-        check_orientations(problem.at(*at_start), ready.oriented)
+    matrices = problem.definition.equations.quaternion_matrices
+    if matrices and not off:
+        check_orientations(problem.at(*at_start), matrices)
     if not ready.start_judged and (problem.plan.expressions or ready.constrained):
         warn_of_impulses(problem, times)
     ready.start_judged = True

@@ -49,8 +49,9 @@ def warn_of_kinks(
         of_switches = by_variables("switch_slopes", k, count)[near[k]]
         sides = by_variables("slopes", k, count, 2, width)[near[k]]
         kinks = _kinks_of_each(of_switches, steps[k, near[k]], sides)
-        if len(of_switches) > 1 or (not kinks and _differ(sides).any()):
-            weights = _weights(involved=(of_switches != 0.0).any(axis=0) | _differ(sides))
+        bending = _differ(*np.moveaxis(sides, 1, 0)).any(axis=(0, 1))
+        if len(of_switches) > 1 or (not kinks and bending.any()):
+            weights = _weights(involved=(of_switches != 0.0).any(axis=0) | bending)
             directions = _Directions.axes(T[k], columns, w).combined(weights)
             beside = _slopes_beside(at, k, directions, parts)
             kinks = _kinks_of_all(by_variables("returned", k, width), weights, beside, kinks)
@@ -89,8 +90,7 @@ def _kinks_of_each(of_switches: np.ndarray, steps: np.ndarray, sides: np.ndarray
     """
     kinks = []
     for of_switch, jumps, (above, below) in zip(of_switches, steps, sides, strict=True):
-        bends = np.abs(above - below) > HALF * np.maximum(np.abs(above), np.abs(below))
-        turns = (bends | (jumps > 0.0)[:, None]) & (of_switch != 0.0)
+        turns = (_differ(above, below) | (jumps > 0.0)[:, None]) & (of_switch != 0.0)
         for i, j in np.argwhere(turns).tolist():
             kinks.append(
                 _Kink(i, [j], f"jumps by {jumps[i]:.3g}")
@@ -100,12 +100,10 @@ def _kinks_of_each(of_switches: np.ndarray, steps: np.ndarray, sides: np.ndarray
     return kinks
 
 
-def _differ(sides: np.ndarray) -> np.ndarray:
-    """Return the variables by which slopes, (switches, 2, rates, variables), differ."""
-    above, below = np.moveaxis(sides, 1, 0)
-    largest = np.maximum(np.abs(above), np.abs(below))
-    variables: np.ndarray = (np.abs(above - below) > HALF * largest).any(axis=(0, 1))
-    return variables
+def _differ(above: np.ndarray, below: np.ndarray) -> np.ndarray:
+    """Return where the slopes on two sides differ."""
+    differ: np.ndarray = np.abs(above - below) > HALF * np.maximum(np.abs(above), np.abs(below))
+    return differ
 
 
 def _weights(involved: np.ndarray) -> np.ndarray:

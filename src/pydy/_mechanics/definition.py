@@ -300,14 +300,14 @@ class Definition:
         )
         if implicit is not None:
             body = implicit.added_to(body)
-        if not body.constraints.holonomic and not self.holonomic_constraints and not self._motion:
-            for argument in ("dependent_coordinates", "dependent_speeds"):
-                if getattr(self, argument):
-                    raise ValueError(f"`{argument}` are given, but there are no constraints.")
-            return body
+        if not self.holonomic_constraints and not self._motion:
+            names = ("dependent_coordinates", "dependent_speeds")
+            given = [argument for argument in names if getattr(self, argument)]
+            if given and not body.constraints.holonomic:
+                raise ValueError(f"`{given[0]}` are given, but there are no constraints.")
+            if not given:  # the only dependent coordinates are the unknowns of residuals, if any
+                return body
         chosen, near = self.dependent_coordinates, self.configuration
-        if not (self.holonomic_constraints or self._motion or chosen or self.dependent_speeds):
-            return body  # the unknowns of the residuals are the only dependent coordinates
         if implicit is not None and near:
             near = implicit.start | near
         return constrained(

@@ -6,7 +6,7 @@ This is the last thing that knows SymPy's mechanics package.
 from __future__ import annotations
 
 import warnings
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
@@ -17,7 +17,7 @@ from pydy._forks import cached_property
 from pydy._mechanics.constraints import ConstraintEquations
 from pydy._mechanics.equation_graph import EquationGraph
 from pydy._mechanics.forces import ConstraintForces
-from pydy._mechanics.frame_tree import velocity_in
+from pydy._mechanics.frame_tree import FrameTree, velocity_in
 from pydy._mechanics.kinematic_constraints import DependentStates
 from pydy._mechanics.kinematic_equations import KinematicEquations
 from pydy._mechanics.multibody import Multibody
@@ -195,6 +195,13 @@ class Equations:
         return "\n  ".join(lines)
 
     @cached_property
+    def quaternion_matrices(self) -> tuple[sm.MatrixBase, ...]:
+        """The direction cosine matrices of quaternions: rotations only at unit length."""
+        made_from = self.mechanism or self.multibody
+        matrices = () if made_from is None else FrameTree(made_from.frame).rotation_matrices()
+        return tuple(m for m in matrices if _is_of_quaternion(m, self.coordinates))
+
+    @cached_property
     def symbols(self) -> dict[AnySymbol, None]:
         """The symbols, functions of time and derivatives that occur in the equations of motion."""
         occurring = find_symbols(self.expressions)
@@ -241,3 +248,20 @@ class Equations:
             {holonomic + k: e for k, e in enumerate(constraints.nonholonomic)},
             {holonomic + nonholonomic + k: e for k, e in enumerate(constraints.implied_velocity)},
         )
+
+
+_UNITS = [[sm.Rational(n, 10) for n in numbers] for numbers in ((5, 5, 5, 5), (1, 7, 1, 7))]
+
+
+def _is_of_quaternion(matrix: sm.MatrixBase, coordinates: Sequence[TimeFunction]) -> bool:
+    """Return whether a matrix is a quaternion's; matrices of small angles are not rotations."""
+    if matrix.has(sm.sin, sm.cos):  # a quick test that excludes most matrices
+        return False
+    symbols = find_symbols(matrix)
+    if len(symbols) != 4 or not symbols.keys() <= {*coordinates}:
+        return False
+    for numbers in _UNITS:
+        rotation = matrix.xreplace(dict(zip(symbols, numbers, strict=True)))
+        if rotation * rotation.T != sm.eye(3):
+            return False
+    return True

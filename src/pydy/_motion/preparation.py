@@ -29,7 +29,7 @@ from pydy.solvers import (
 )
 
 if TYPE_CHECKING:
-    import sympy as sm
+    pass
 
 # Options of other types, such as arrays, may be edited between two calls.
 _IMMUTABLE = frozenset((float, int, bool, str, type(None)))
@@ -58,7 +58,6 @@ class PreparedIntegration:
         self.never_jumps = False  # whether inputs and loads certainly have no jumps in time
         self.span = 0.0  # of the times of the latest call
         self.start_judged = False  # whether the inputs were checked for impulses
-        self.oriented: tuple[sm.MatrixBase, ...] | None = None  # see `assumptions.orientations`
         self.code, self.options = self._prepared(model)
         self.read: Options | None = None  # as the solver has read them
         self.problem: Problem | None = None  # of the latest call

@@ -24,7 +24,6 @@ from pydy._errors import warn_user
 from pydy._judges import (
     check_orientations,
     first_violation,
-    orientations,
     warn_of_kinks,
     warn_of_missing_derivatives,
     warn_of_protected_states,
@@ -275,7 +274,7 @@ def linearize(
     point, single = _evaluation_point(problem, at, t)
     T, free = point.tangents()
     violated = definition.equations.constraints.are_present and _warn_of_violations(point)
-    if not violated and (matrices := orientations(definition.equations)):
+    if not violated and (matrices := definition.equations.quaternion_matrices):
         check_orientations(point, matrices, lambda k: f"In {_state_text(k, len(point.x))},")
     A = point.directional("rates", T)[:, free]
     symbols = definition.specifieds if inputs is None else one_or_more("inputs", inputs)

@@ -27,7 +27,6 @@ from pydy._judges import (
     check_sample_orientations,
     check_samples,
     drift_programs,
-    orientations,
     watched,
 )
 from pydy._motion import ConstraintNames, PreparedIntegration, with_residuals_projected
@@ -137,10 +136,9 @@ def integrate_ensemble(
         derivatives = ensemble_sensitivities(
             at(times[:1], problem.x[None]), initial, compiled, controlled
         )
-    if ready.oriented is None:
-        ready.oriented = orientations(definition.equations)
-    if ready.oriented and not violated:
-        check_sample_orientations(at, float(times[0]), samples.x, samples.shape, ready.oriented)
+    matrices = definition.equations.quaternion_matrices
+    if matrices and not violated:
+        check_sample_orientations(at, float(times[0]), samples.x, samples.shape, matrices)
     read = ready.read
     if read is None or derivatives is not None:
         read = _read(definition, solver, compiled)
