@@ -24,7 +24,7 @@ export PYTHONDONTWRITEBYTECODE :=
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help demo test test-near test-slow test-whole times test-browser test-fuzz test-mechanisms test-mutations test-lowest test-newest test-pyright test-arm64 test-undefined docs bench bench-analysis bench-control bench-million bench-pages bench-peers bench-solvers bench-states solvers-ir three clean
+.PHONY: help demo test test-near test-slow test-whole times test-browser test-fuzz test-mechanisms test-mutations test-lowest test-newest test-pyright test-arm64 test-undefined docs bench bench-analysis bench-calls bench-control bench-million bench-pages bench-peers bench-solvers bench-states solvers-ir three clean
 
 help:
 	@echo "make demo   install into $(VENV), run the bicycle demo, plot and animate it into build/"
@@ -50,6 +50,7 @@ help:
 	@echo "make bench-analysis  Jacobians over their functions; linear models, trims and fits; sensitivities against other packages'"
 	@echo "make bench-solvers  solvers against other packages', at equal error, and against odeint"
 	@echo "make bench-million  a million bicycles with constraints and events: threads, a Dask cluster"
+	@echo "make bench-calls  calls that differ in one thing from the last; events and contacts that never happen"
 	@echo "make bench-states  calls with many states, over their kernels in the cache"
 	@echo "make solvers-ir  write the compiled loops of the solvers as LLVM IR, after a change of them"
 	@echo "make three  bundle three.js for the animation page anew (needs npm and a network)"
@@ -156,6 +157,9 @@ bench-million: $(VENV)/.installed-test
 
 bench-states: $(VENV)/.installed-test
 	$(PY) benchmarks/many_states.py
+
+bench-calls: $(VENV)/.installed-test
+	$(PY) benchmarks/repeated_calls.py
 
 # After a change of the loops in C, and after a merge of two.
 solvers-ir: $(VENV)/.installed-loops

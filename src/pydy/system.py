@@ -2684,7 +2684,9 @@ class System:
             samples and returns a Dataset that keeps the sample dimensions.
         chunks : int, 'auto' or dict of str to int, optional
             Sizes of blocks of samples. The Dataset is then lazy: it contains Dask arrays, computed
-            by the scheduler that you choose. With `store`, this only sets the sizes.
+            by the scheduler that you choose. 'auto' makes blocks of at most 8 MB of results, and
+            for a cluster that is connected blocks of up to 32 MB. With `store`, this only sets the
+            sizes.
         store : path, optional
             Path of a Zarr store, to which every finished block is written immediately, with
             checksums; so has what describes its arrays.

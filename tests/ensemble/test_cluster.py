@@ -5,6 +5,7 @@ import signal
 import sys
 import time
 
+import numpy as np
 import pytest
 
 from optional import optional
@@ -46,6 +47,22 @@ def test_workers_of_a_cluster_write_a_store_themselves(reference, client, tmp_pa
     system, values, whole = reference
     made = system.integrate_ensemble(**values, store=tmp_path / "s.zarr", chunks=25)
     identical(made.load(scheduler="threads"), whole)
+
+
+def test_a_cluster_gets_few_blocks_and_enough_for_all_of_its_threads(reference, client):
+    system = reference[0]
+    count, threads = 1_000_000, sum(client.nthreads().values())
+    angles = {system.coordinates[0]: np.linspace(0.0, 1.0, count)}
+    lazy = system.integrate_ensemble(initial_conditions=angles, reduce="final", chunks="auto")
+    blocks = lazy.chunks["sample"]
+    assert sum(blocks) == count
+    # Threads that end first wait for one block at most; every block costs the scheduler time.
+    assert 16 * threads <= len(blocks) <= 32 * threads
+    lazy = system.integrate_ensemble(initial_conditions=angles, reduce="final", chunks=1000)
+    assert lazy.chunks["sample"] == (1000,) * 1000
+    few = {system.coordinates[0]: np.linspace(0.0, 1.0, 2000)}
+    lazy = system.integrate_ensemble(initial_conditions=few, reduce="final", chunks="auto")
+    assert len(lazy.chunks["sample"]) == threads
 
 
 def _slow(dataset):
