@@ -210,8 +210,11 @@ def test_each_sample_of_an_input_is_a_parameter(interpolation):
         system = driven_mass(f0=SampledInput(times, changed, interpolation))
         return system.simulate(max_step=0.05, rtol=1e-9, atol=1e-9, **options)
 
-    found = states(sensitivities=["f0", "m0"]).sensitivity
-    assert found.names == ("f0[0]", "f0[1]", "f0[2]", "f0[3]", "m0")
+    found = states(sensitivities=["f0", "m0", "v0"]).sensitivity
+    assert found.names == ("f0[0]", "f0[1]", "f0[2]", "f0[3]", "m0", "v0")
+    initial = np.zeros((2, 6))
+    initial[1, 5] = 1.0  # of v0, whose column follows those of all samples
+    np.testing.assert_array_equal(found.values[0], initial)
     assert found["x0", "f0"].shape == (9, 4)
     for k in range(4):
         # The equations are linear in the samples: any difference is exact.
