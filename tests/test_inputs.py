@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from scipy.interpolate import PchipInterpolator
 
-from pydy.inputs import SampledInput
+from pydy.inputs import SampledInput, jumps_of
 
 TIMES = np.array([0.5, 1.0, 2.5, 4.0])
 VALUES = np.array([[1.0, -2.0], [3.0, 0.5], [-1.0, 0.5], [0.25, 4.0]])
@@ -62,6 +62,25 @@ def test_breaks_and_coefficients_are_all_that_is_needed(kind):
             np.testing.assert_allclose(value, samples(t)[j], rtol=1e-14, atol=1e-14)
     np.testing.assert_array_equal(samples.first, VALUES[0])
     np.testing.assert_array_equal(samples.last, VALUES[-1])
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_slopes_are_those_after_a_time(kind):
+    samples, step = SampledInput(TIMES, VALUES, kind), 1e-7
+    for t in [*TIMES[:-1], *INSIDE[:-1]]:
+        after = (samples(t + step) - samples(t)) / step
+        np.testing.assert_allclose(samples.slopes_at(t), after, atol=1e-5)
+    for t in (-1.0, TIMES[-1], 9.0):  # end values are held
+        np.testing.assert_array_equal(samples.slopes_at(t), [0.0, 0.0])
+
+
+def test_inputs_jump_where_one_of_their_quantities_does():
+    values = [[1.0, 5.0], [1.0, 6.0], [1.0, 6.0], [2.0, 6.0], [3.0, 7.0]]
+    held = SampledInput([0.0, 1.0, 2.0, 3.0, 4.0], values, "previous")
+    line = SampledInput([0.0, 2.5], [0.0, 1.0])
+    times = np.array([1.0, 3.0, 4.0])
+    expected = np.stack([times, np.nextafter(times, 0.0), times], axis=1)
+    np.testing.assert_array_equal(jumps_of([(None, held), (None, line)]), expected)
 
 
 def test_nan_gives_nan():

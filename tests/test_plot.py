@@ -326,15 +326,16 @@ def test_a_unit_with_a_factor_converts_values_rates_and_sensitivities():
     system.initial_conditions, system.times = {x0: 0.5}, np.linspace(0.0, 1.0, 5)
     system.ode_solver = "dop853"
     motion = system.simulate(sensitivities=["m0"])
-    units = {"x0": ("mm", 1000), "x0'": ("mm/s", 1000.0), "m0": ("g", 1000)}
+    units = {"x0": ("mm", 1000), "x0'": ("mm/s", 1000.0), "m0": ("t", 0.001)}
     (line,) = plot_coordinates(motion, units=units).lines
     np.testing.assert_allclose(line.get_ydata()[0], 500.0)
     ax = plot_phase(motion, x0, units=units)
     np.testing.assert_allclose(ax.lines[0].get_ydata()[-1], 1000.0 * motion[v0][-1])
     assert (ax.get_xlabel(), ax.get_ylabel()[-6:]) == ("$x_{0}$ (mm)", "(mm/s)")
+    # One m/kg is a thousand mm by a thousandth of a tonne.
     ax = plot_sensitivities(motion, x0, units=units)
     np.testing.assert_allclose(
-        ax.lines[0].get_ydata()[-1], motion.sensitivity["x0", "m0"][-1], rtol=1e-14
+        ax.lines[0].get_ydata()[-1], 1e6 * motion.sensitivity["x0", "m0"][-1], rtol=1e-14
     )
     dataset = plot_coordinates(motion.to_xarray(), units=units)
     np.testing.assert_allclose(dataset.lines[0].get_ydata()[0], 500.0)

@@ -359,6 +359,24 @@ def test_a_file_keeps_what_jumps_at_events(tmp_path):
     assert abs(np.diff(ours["momentum"][1:3])) > 0.8
 
 
+def test_a_file_of_a_motion_backward_in_time_gives_its_sensitivities_back(tmp_path):
+    """A mass on a spring: x = cos(ω t), and ∂x/∂k = −t sin(ω t) / (2 ω)."""
+    pytest.importorskip("xarray")
+    system = multi_mass_spring_damper()
+    system.constants = {"m0": 1.0, "k0": 4.0, "c0": 0.0}
+    system.initial_conditions, system.ode_solver = {"x0": 1.0}, "dop853"
+    system.times = np.linspace(0.0, -3.0, 301)
+    motion = system.simulate(rtol=1e-10, atol=1e-10, sensitivities=["k0"])
+    motion.save(tmp_path / "run.nc")
+    loaded = Trajectory.load(tmp_path / "run.nc")
+    times = np.array([-0.505, -2.205])
+    for one in (motion, loaded, pickle.loads(pickle.dumps(motion))):
+        found = one.at(times)
+        np.testing.assert_allclose(found["x0"], np.cos(2 * times), atol=1e-7)
+        slopes = -times * np.sin(2 * times) / 4
+        np.testing.assert_allclose(found.sensitivity["x0", "k0"], slopes, atol=1e-4)
+
+
 def test_a_file_that_does_not_know_the_sides_of_a_jump_is_not_interpolated():
     event = EventRecord(0.5, "hit", 0, np.array([1.0]), np.array([-1.0]))
     motion = Trajectory([0.0, 1.0], [[1.0], [-1.0]], {"speed": ["v"]}, events=[event])

@@ -251,26 +251,29 @@ def _with_sides(trajectory: Interpolated, refined: Interpolated) -> Interpolated
     if not inside.any():
         return refined
     m, moments, states = len(refined.times), moments[inside], states[inside]
-    early = np.tile([True, False], len(moments) // 2)
-    # Just before the event, with the modes and inputs that end there.
-    just = np.where(early, np.fmax(np.nextafter(moments, -np.inf), first), moments)
+    is_before = np.tile([True, False], len(moments) // 2)
+    # The model is evaluated just before the event, with the modes and inputs that end there.
+    evaluated_at = np.where(is_before, np.fmax(np.nextafter(moments, -np.inf), first), moments)
     model = trajectory._model
     if trajectory._sides is not None:
         rates, outputs, specifieds = (table[inside] for table in trajectory._sides)
     else:
         rates = None
         assert model is not None
-        outputs, specifieds = model.outputs(just, states), model.specifieds(just, states)
+        outputs = model.outputs(evaluated_at, states)
+        specifieds = model.specifieds(evaluated_at, states)
+    # Of each quantity: its rows at the refined times, and those at both sides of each event.
     tables = [
         (refined.states, states),
         (refined.outputs, np.reshape(outputs, (len(moments), -1))),
         (refined.specifieds, np.reshape(specifieds, (len(moments), -1))),
-        (refined.times[:, None], just[:, None]),
+        (refined.times[:, None], evaluated_at[:, None]),
     ]
     if rates is not None and refined._derivatives is not None:
         tables.append((refined._derivatives, rates))
 
     def interpolated(table: np.ndarray) -> np.ndarray:
+        """Return the rows of a table whose values at the events are not known."""
         flat = table.reshape(m, -1)
         return straight(refined, moments, flat, None).reshape(len(moments), *table.shape[1:])
 
@@ -288,10 +291,8 @@ def _with_sides(trajectory: Interpolated, refined: Interpolated) -> Interpolated
     times, merged = _with_events(refined, moments, tables)
     result: Any = object.__new__(type(refined))
     result.__dict__.update(refined.__dict__)
-    result.times, result.states, result.outputs, result.specifieds, just, *remaining = (
-        times,
-        *merged,
-    )
+    result.times = times
+    result.states, result.outputs, result.specifieds, evaluated_at, *remaining = merged
     result._derivatives = remaining.pop(0) if len(tables) > 4 and tables[4][1] is rates else None
     result._energy = remaining.pop(0) if energy is not None else None
     if values is not None:
@@ -303,11 +304,11 @@ def _with_sides(trajectory: Interpolated, refined: Interpolated) -> Interpolated
     elif table is not None:
         assert refined._known_sensitivity is not None
         result._take_sensitivity(refined._known_sensitivity.names, remaining.pop(0))
-    result._detail = Detail(model, just[:, 0])
+    result._detail = Detail(model, evaluated_at[:, 0])
     result._model = None if model is None else result._detail
     sensitivity_model = refined._sensitivity_model
     result._sensitivity_model = (
-        None if sensitivity_model is None else Detail(sensitivity_model, just[:, 0])
+        None if sensitivity_model is None else Detail(sensitivity_model, evaluated_at[:, 0])
     )
     complete: Interpolated = result
     return complete
@@ -316,7 +317,8 @@ def _with_sides(trajectory: Interpolated, refined: Interpolated) -> Interpolated
 class Detail:
     """A model that is evaluated just before an event for rows that have the event's time.
 
-    It is the model or sensitivity model of a Trajectory that `detailed` returned.
+    It is the model or sensitivity model of a Trajectory that `detailed` returned. `times` are those
+    of the model, one for each row of that Trajectory.
     """
 
     def __init__(self, model: Model | SensitivityModel | None, times: np.ndarray) -> None:

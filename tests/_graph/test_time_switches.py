@@ -146,6 +146,7 @@ def test_bounds_contain_all_values():
         *(sm.log(u), sm.sqrt(u), sm.asin(t / 10), sm.acos(t / 10), sm.acosh(u), sm.atanh(t / 10)),
         *(t**2, t**3, 1 / t, t**-2, u**t, sm.atan2(t, 1 - t), sm.atan2(1 - t, t), t * sm.cos(t)),
         *(sm.Max(t, sm.sin(t)), sm.Min(t**2, 1), sm.Piecewise((t, t**2 < 2), (-1, True))),
+        *(sm.atan2(t, t - 1), sm.atan2(-t, t - 1)),  # they jump at t = 0, from π to −π or back
         sm.Piecewise((t, sm.Or(sm.And(t > 0, t <= 1), sm.Not(t < 3))), (1 - t, True)),
     ]
     nodes = SymPyReader(graph, symbols).all(loads)

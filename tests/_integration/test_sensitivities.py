@@ -12,6 +12,7 @@ from scipy.linalg import expm
 
 import zoo
 from pydy import System
+from pydy._integration.step_control import least_sizes
 from pydy.errors import IntegrationError, IntegrationInterrupted, PyDyUserWarning
 from pydy.inputs import SampledInput
 from pydy.mechanics import Definition
@@ -210,8 +211,11 @@ def test_each_sample_of_an_input_is_a_parameter(interpolation):
         system = driven_mass(f0=SampledInput(times, changed, interpolation))
         return system.simulate(max_step=0.05, rtol=1e-9, atol=1e-9, **options)
 
-    found = states(sensitivities=["f0", "m0"]).sensitivity
-    assert found.names == ("f0[0]", "f0[1]", "f0[2]", "f0[3]", "m0")
+    found = states(sensitivities=["f0", "m0", "v0"]).sensitivity
+    assert found.names == ("f0[0]", "f0[1]", "f0[2]", "f0[3]", "m0", "v0")
+    initial = np.zeros((2, 6))
+    initial[1, 5] = 1.0  # of v0, whose column follows those of all samples
+    np.testing.assert_array_equal(found.values[0], initial)
     assert found["x0", "f0"].shape == (9, 4)
     for k in range(4):
         # The equations are linear in the samples: any difference is exact.
@@ -422,6 +426,31 @@ def test_events_that_depend_on_time_and_on_inputs_have_sensitivities():
     assert relative(found.values[:, :, 0], by_start) < 1e-7
     assert relative(found.values[:, :, 2], by_sample) < 1e-7
     assert relative(found.values[:, :, 4], by_gravity) < 1e-7
+
+
+def test_events_that_differ_in_their_reset_alone_have_derivatives_of_their_own():
+    """A ball from h = 1 m bounces once: q = e v τ − g τ²/2, v = √(2 g h), τ = t − √(2 h/g)."""
+    q, u = me.dynamicsymbols("q, u")
+    system, _ = bouncing_ball(reset={u: -0.5 * u})
+    system.times, system.initial_conditions, g = [0.0, 0.6], {"q": 1.0, "u": 0.0}, 9.81
+    fall = np.sqrt(2.0 / g)
+    v, tau, slope = g * fall, 0.6 - fall, fall / (2.0 * g)  # ∂τ/∂g, and ∂v/∂g = fall / 2
+    for e in (0.5, 0.8):
+        bounce = Event(q, direction=-1, reset={u: -e * u})
+        found = system.simulate(sensitivities=["g"], events=[bounce], **TIGHT)
+        assert found["q"][-1] == pytest.approx(e * v * tau - g * tau**2 / 2, abs=1e-11)
+        expected = e * (fall / 2 * tau + v * slope) - tau**2 / 2 - g * tau * slope
+        assert found.sensitivity["q", "g"][-1] == pytest.approx(expected, abs=1e-11)
+
+
+def test_states_with_tolerances_of_their_own_are_compared_with_sizes_that_these_resolve():
+    """The error rtol · size + atol is as large by both terms at the size atol / rtol."""
+    sizes = least_sizes({"rtol": 1e-6, "atol": [1e-9, 1e-3]}, 2)
+    np.testing.assert_allclose(sizes, [1e-3, 1e3], rtol=1e-14)
+    sizes = least_sizes({"rtol": [1e-6, 1e-2], "atol": [1e-9, 1e-3]}, 2)
+    np.testing.assert_allclose(sizes, [1e-3, 1e-1], rtol=1e-14)
+    for atol in (1e-9, [0.0, 1e-3]):
+        np.testing.assert_array_equal(least_sizes({"rtol": 1e-6, "atol": atol}, 2), [1.0, 1.0])
 
 
 def test_an_event_that_a_jump_of_an_input_makes_happen_has_a_time_of_its_own():

@@ -405,7 +405,7 @@ def test_numbers_that_rounding_adds_up_hide_no_potential(plane):
 
 def test_weights_ask_for_no_second_point(plane, monkeypatch):
     """Each pair of points was tried, for 40 four-bars in a row a minute of them."""
-    monkeypatch.setattr(_PotentialSearch, "_pair", None)
+    monkeypatch.setattr(_PotentialSearch, "_recognise_central_force", None)
     frame, _, place = plane
     found = potential(plane, [(place, -M * G * frame.y)])
     assert differs_by_a_constant(found.expression, M * G * Q[1])

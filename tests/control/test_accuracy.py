@@ -164,20 +164,27 @@ def test_the_estimate_is_never_far_too_small(make, options, least):
 
 
 @cache
-def layers():
+def layers(moving=False):
     """The linear part of Betts's alp rider (2nd ed., 10.1), with layers exp(−100 t) at both ends.
 
-    The layers do not meet: the least objective is what both cost alone, by Riccati equations.
+    The layers do not meet: the least objective is what both cost alone, by Riccati equations. If
+    `moving`, the states are the sums of these and sin t: the integrand and the rates contain time.
     """
     y, (a, b) = me.dynamicsymbols("y1:5"), me.dynamicsymbols("a b")
     A = np.array([[-10.0, 0, 0, 0], [0, -2, 0, 0], [0, 0, -3, 5], [0, 0, 5, -3]])
     B = np.array([[1.0, 1], [1, 2], [1, -1], [1, 3]])
-    rates = sm.Matrix(A.tolist()) * sm.Matrix(y) + sm.Matrix(B.tolist()) * sm.Matrix([a, b])
+    shift = sm.sin(T) if moving else sm.S.Zero
+    rest = sm.Matrix([q - shift for q in y])
+    rates = sm.Matrix(A.tolist()) * rest + sm.Matrix(B.tolist()) * sm.Matrix([a, b])
+    rates = [rate + shift.diff(T) for rate in rates]
     kinematics = [q.diff() - rate for q, rate in zip(y[:3], rates, strict=False)]
     system = optima.first_order(y[:3], y[3], rates[3], 1, kinematics)
-    cost = sm.Integral(100 * sum(q**2 for q in y) + (a**2 + b**2) / 100, T)
+    cost = sm.Integral(100 * sum(q**2 for q in rest) + (a**2 + b**2) / 100, T)
     first, last = np.array([2.0, 1, 2, 1]), np.array([2.0, 3, 1, -2])
-    ends = [dict(zip(y, end.tolist(), strict=True)) for end in (first, last)]
+    ends = [
+        dict(zip(y, (end + float(shift.subs(T, at))).tolist(), strict=True))
+        for end, at in ((first, 0.0), (last, 20.0))
+    ]
     least = sum(
         x @ solve_continuous_are(sign * A, sign * B, 100 * np.eye(4), np.eye(2) / 100) @ x
         for x, sign in ((first, 1.0), (last, -1.0))
@@ -186,12 +193,12 @@ def layers():
 
 
 @pytest.mark.parametrize(
-    "options",
-    [{"mesh": 100}, {"mesh": 200}, {"mesh": 50, "order": 5}]
-    + [{"mesh": m, "method": "hermite-simpson"} for m in (200, 800)],
+    ("moving", "options"),
+    [(False, {"mesh": 100}), (True, {"mesh": 200}), (False, {"mesh": 50, "order": 5})]
+    + [(m == 200, {"mesh": m, "method": "hermite-simpson"}) for m in (200, 800)],
 )
-def test_the_estimate_counts_layers_that_the_mesh_does_not_resolve(options):
-    system, cost, (start, end), least = layers()
+def test_the_estimate_counts_layers_that_the_mesh_does_not_resolve(moving, options):
+    system, cost, (start, end), least = layers(moving)
     solution = system.optimize_trajectory(cost, 20.0, start=start, end=end, **options)
     gain = solution.objective - least
     assert gain > 3.0

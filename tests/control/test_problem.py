@@ -16,6 +16,7 @@ from oracles import optima
 from oracles.optima import TF, T
 from pydy import System
 from pydy.control import OptimalControl, ipopt
+from pydy.control.guess import Guess
 from pydy.control.ipopt import Iteration
 from pydy.control.transcription import Transcription
 from pydy.errors import (
@@ -26,7 +27,7 @@ from pydy.errors import (
 )
 from pydy.inputs import SampledInput
 from pydy.mechanics import Definition
-from pydy.models import n_link_pendulum_on_cart
+from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.solvers import dop853
 from zoo import inertial_frame
 
@@ -1159,3 +1160,16 @@ def test_an_end_that_exceeds_its_own_float_is_the_end():
         at_end = [sm.Eq(v.subs(T, end), 1)]
         solution = OptimalControl(system, energy(F), 2 * np.pi, boundary=at_end, mesh=3).solve()
         assert solution[v][-1] == pytest.approx(1.0)
+
+
+def test_a_motion_that_begins_later_is_a_guess_over_all_of_its_time():
+    """A mass on a spring, let go at t = 5: x = cos(t − 5)."""
+    system = multi_mass_spring_damper()
+    system.constants = {"m0": 1.0, "k0": 1.0, "c0": 0.0}
+    system.initial_conditions, system.times = {"x0": 1.0}, np.linspace(5.0, 7.0, 11)
+    system.ode_solver = "dop853"
+    guess = Guess(system.simulate(rtol=1e-10, atol=1e-10), None, None, None)
+    assert guess.duration((0.0, np.inf)) == 2.0
+    fractions = np.array([0.0, 1.0, 0.25, 0.5])
+    values = guess.values(system.coordinates[0], fractions, 3.0)
+    np.testing.assert_allclose(values, np.cos(2.0 * fractions), atol=1e-8)

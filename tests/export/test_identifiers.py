@@ -37,6 +37,14 @@ def test_a_name_that_is_an_identifier_keeps_it_whatever_others_are_spelled_like(
     ]
 
 
+def test_an_input_begins_with_its_sample_at_the_first_time(tmp_path):
+    system = pendulum()
+    system.specifieds = {"F": SampledInput([0.0, 2.0, 3.0], [5.0, 7.0, 8.0])}
+    system.times = [2.5, 3.0]
+    system.export(tmp_path / "pendulum.py", inputs=["F"])
+    assert "'F': 7.5" in (tmp_path / "pendulum.py").read_text()
+
+
 def test_what_was_renamed_is_listed(tmp_path):
     system = hostile()
     exported = system.export(tmp_path / "mass.py")

@@ -184,14 +184,15 @@ def test_equations_at_many_states_are_one_call(library):
     close(found, expected)
 
 
-def test_samples_of_an_input_are_parameters(library):
+@pytest.mark.parametrize("interpolation", ["linear", "previous"])
+def test_samples_of_an_input_are_parameters(library, interpolation):
     system = pendulum(1)
     (force,) = system.specifieds_symbols
     samples = np.array([0.0, 1.0, -1.0, 0.5])
     times = [0.0, 0.3, 0.6, 1.0]
-    system.specifieds = {force: SampledInput(times, 0 * samples)}
+    system.specifieds = {force: SampledInput(times, 0 * samples, interpolation)}
     layer = library.layer(system, **TIGHT)
-    system.specifieds = {force: SampledInput(times, samples)}
+    system.specifieds = {force: SampledInput(times, samples, interpolation)}
     expected = system.adjoint_gradient([force], final="q1", **TIGHT)
     found = library.grad(lambda f: layer.final(r={"F": f})[1], library.array(samples))
     close(found, expected.values)

@@ -233,6 +233,30 @@ def test_a_weld_without_a_scale_of_torques_lets_bodies_turn(tmp_path, scale, hel
     assert len(rows) == held + 1  # the length of the quaternion
 
 
+def test_a_weld_of_sites_holds_a_body_where_their_frames_coincide(tmp_path):
+    """The pose R = S₁ S₂ᵀ, p = p₁ − R p₂ by MuJoCo's products of quaternions."""
+    fixed = '<site name="fixed" pos="0.3 0 1" euler="40 0 0"/>'
+    own = '<site name="own" pos="0 0.2 0.1" euler="0 0 70"/>'
+    body = f'<body name="b"><freejoint name="base"/><geom size="0.1"/>{own}</body>'
+    weld = '<equality><weld site1="fixed" site2="own"/></equality>'
+    path = written(tmp_path, f"<mujoco><worldbody>{fixed}{body}</worldbody>{weld}</mujoco>")
+    model = mujoco.MjModel.from_xml_path(str(path))
+    data, back, turn, arm = mujoco.MjData(model), np.zeros(4), np.zeros(4), np.zeros(3)
+    mujoco.mju_negQuat(back, model.site_quat[1])
+    mujoco.mju_mulQuat(turn, model.site_quat[0], back)
+    mujoco.mju_rotVecQuat(arm, model.site_pos[1], turn)
+    data.qpos[:] = [*(model.site_pos[0] - arm), *turn]
+    mujoco.mj_forward(model, data)
+    assert data.efc_pos[:6] == pytest.approx(0.0, abs=1e-14)
+    robot = read(path)
+    system, pose = (
+        robot.system(),
+        dict(zip(robot.joints["base"].coordinates, data.qpos, strict=True)),
+    )
+    rows = system.evaluate_holonomic_constraints([pose.get(s, 0.0) for s in system.states])
+    assert rows == pytest.approx(0.0, abs=1e-14)
+
+
 def test_a_loop_keeps_its_energy_and_its_constraints(tmp_path):
     robot = read(written(tmp_path, LOOPS.format(TIES["connect"])))
     system = robot.system(ode_solver="dop853", times=np.linspace(0.0, 2.0, 21))

@@ -309,6 +309,17 @@ def test_weights_follow_the_noise(oscillator, method):
     assert result["k0"] == pytest.approx(4.0, rel=1e-3)
 
 
+@pytest.mark.parametrize("segments", [1, 4])
+def test_residuals_have_the_unit_of_the_samples_whatever_their_noise(oscillator, segments):
+    noise = np.linspace(0.01, 0.05, 101)
+    samples = swing() + noise * np.random.default_rng(5).normal(size=101)
+    samples[30:33] = np.nan
+    trial = let_go(samples, noise={"x0": noise}, constants={"c0": 0.2})
+    result = oscillator.fit(["k0"], trial, segments=segments)
+    left = samples - swing(result["k0"])
+    np.testing.assert_allclose(result.residuals[0]["x0"], left, atol=1e-6)
+
+
 def test_segments_find_what_one_shot_does_not():
     """A pendulum of another length runs out of phase: one shot ends in a local minimum."""
     system = n_link_pendulum_on_cart(1, cart_force=False)

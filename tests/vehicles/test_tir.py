@@ -60,6 +60,9 @@ IYY = 8e8
 [VERTICAL]
 FNOMIN = 4
 VERTICAL_STIFFNESS = 0.2
+VERTICAL_DAMPING = 0.05
+YAW_STIFFNESS = 7
+FREQ_LONG = 0.08
 [SLIP_ANGLE_RANGE]
 ALPMAX = 90
 [LATERAL_COEFFICIENTS]
@@ -71,7 +74,9 @@ PKY3 = 0.4
     )
     expected = {
         "LONGVL": 16.7, "UNLOADED_RADIUS": 0.313, "NOMPRES": 2.2e5, "MASS": 9.3, "IYY": 0.8,
-        "FNOMIN": 4000.0, "VERTICAL_STIFFNESS": 2e5, "ALPMAX": np.pi / 2, "PKY3": 0.4,
+        "FNOMIN": 4000.0, "VERTICAL_STIFFNESS": 2e5, "VERTICAL_DAMPING": 50.0,
+        "YAW_STIFFNESS": 7 * 180 / np.pi,  # kN mm = N m, for each degree
+        "FREQ_LONG": 80.0, "ALPMAX": np.pi / 2, "PKY3": 0.4,
     }  # fmt: skip
     assert {k: file.coefficients[k] for k in expected} == pytest.approx(expected, rel=1e-14)
     assert file.sections["DIMENSION"]["UNLOADED_RADIUS"] == 313.0

@@ -78,6 +78,7 @@ def test_jumps_and_gaps_of_a_thinned_curve_stay(scale):
     times, values = np.linspace(0.0, 1.0, 100_001), np.zeros(100_001)
     times[50_021] = times[50_020]  # within a part of the time
     values[50_021:] = -scale
+    values[50_030:] = -2.0 * scale  # the value after the jump is not the lowest of its part
     values[20_000:20_007] = np.nan
     own, drawn = thinned(TimeSeries(times, values))
     (k,) = np.flatnonzero(np.diff(own) == 0.0)

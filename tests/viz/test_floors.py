@@ -54,6 +54,33 @@ def test_a_horizontal_floor_is_the_ground():
     assert chosen._animation.ground is None
 
 
+def test_a_floor_is_below_all_shapes_at_a_point():
+    system, ball = thrown()
+    contacts = Contacts(system, [Unilateral(y - R - 0.2, name="floor")])
+    for core in (0.5 * R, 1.5 * R):
+        scene = system.animate(
+            ball, Visual(Sphere(core), ball.frame, ball.point), contacts=contacts
+        )
+        lowest = 0.2 + R - max(R, core)
+        assert scene._animation.ground == pytest.approx(lowest, abs=1e-12)
+
+
+def test_a_wall_is_beside_all_places_of_the_ball():
+    system, ball = thrown()
+    system.initial_conditions = {x: 3.0, y: 0.5, vx: 1.0}
+    wall = Unilateral(5.0 - x - R, name="wall")
+    motion = Contacts(system, [wall]).simulate()
+    scene = system.scene(ball).animate(motion)
+    (item,) = [i for i in scene._animation.items if isinstance(i.shape, Plane)]
+    places = np.stack([motion["x"], motion["y"], np.zeros(len(motion.times))], axis=1)
+    along, across, _ = np.abs((places - item.positions[0]) @ item.rotations[0]).T
+    margin = item.shape.length - np.ptp(motion["y"])
+    assert 0.0 < margin < 2.0
+    assert along.max() == pytest.approx(np.ptp(motion["y"]) / 2)  # y is the steepest direction
+    assert across.max() == pytest.approx(0.0, abs=1e-12)
+    assert item.shape.width == pytest.approx(margin)
+
+
 def test_a_slope_and_a_wall_are_planes_that_the_ball_touches():
     system, ball = thrown()
     gaps = [

@@ -139,6 +139,12 @@ def test_sixty_samples_a_second_are_all_kept():
     assert len(sampled(times, 1 / 60)) == 3601
 
 
+def test_the_last_step_of_an_animation_is_a_half_to_one_and_a_half():
+    times = np.arange(108) / 100  # pictures at each tenth, and at the end
+    assert sampled(times, 0.1)[-3:].tolist() == [90, 100, 107]
+    assert sampled(times[:104], 0.1)[-3:].tolist() == [80, 90, 103]
+
+
 def test_repeated_times_are_taken_once():
     assert sampled(np.array([0.0, 0.0, 1.0, 1.0]), 0.1).tolist() == [0, 2]
     assert sampled(np.array([3.0]), 0.1).tolist() == [0]

@@ -129,12 +129,18 @@ def _potential_of_lagrangian(equations: Equations, mechanism: Mechanism) -> sm.E
 
 
 class _PotentialSearch:
+    """Recognises loads form by form, simple forms first; `result` has the order.
+
+    Each method `_recognise_…` appends an energy and the power of its loads to `recognised`. Those
+    of one load return whether they did; those of several return the loads that remain unknown.
+    """
+
     def __init__(self, equations: Equations, mechanism: Mechanism) -> None:
         self.equations, self.mechanism = equations, mechanism
         self.frame = mechanism.frame
         forces = equations.constraints.residuals.unknowns_of_speeds
         self.coordinates = {*equations.coordinates} - forces
-        # Energies, and the powers of their loads.
+        # Energies, and the powers of their loads: the sum of powers is minus the energy's rate.
         self.recognised: list[tuple[sm.Expr, sm.Expr]] = []
         self.fixed = cache(self._fixed)
         self.away = cache(lambda point: distances(point, FrameTree.positions))
@@ -146,20 +152,21 @@ class _PotentialSearch:
         self.turns = [m for m in matrices if orthogonality_residuals([m], read)]
 
     def result(self) -> Potential:
+        """Return the potential of all loads that do work, verified; or what has none, and why."""
         loads = [load for load in self.mechanism.loads if self._does_work(load[0])]
-        loads = [load for load in loads if not self._constant_load(*load)]
+        loads = [load for load in loads if not self._recognise_constant_load(*load)]
         terms = [
             term
-            for location, vector in self._radial(loads)
+            for location, vector in self._recognise_central_forces(loads)
             for term in self._terms(location, vector)
         ]
-        terms = [term for term in terms if not self._constant_force(term)]
-        terms = [term for term in terms if not self._by_height(term)]
+        terms = [term for term in terms if not self._recognise_constant_force(term)]
+        terms = [term for term in terms if not self._recognise_by_height(term)]
         before = len(self.recognised)
-        unlocated, unknown = self._closed(terms)
+        unlocated, unknown = self._recognise_closed_forms(terms)
         if unknown:  # one load of an opposite pair may have been recognised alone
             del self.recognised[before:]
-            unlocated, unknown = self._closed(self._along_one_rate(terms))
+            unlocated, unknown = self._recognise_closed_forms(self._recognise_along_one_rate(terms))
         load_energy, powers = (
             sm.Add(*(energy for energy, _ in self.recognised)),
             [p for _, p in self.recognised],
@@ -270,7 +277,7 @@ class _PotentialSearch:
 
     # -- forces between two points ----------------------------------------------------------------
 
-    def _radial(self, loads: Sequence[Load]) -> list[Load]:
+    def _recognise_central_forces(self, loads: Sequence[Load]) -> list[Load]:
         """Recognise forces along the lines between points; return the other loads."""
         remaining: list[Load] = []
         opposite = _opposite([vector for _, vector in loads], self.turns)
@@ -280,16 +287,23 @@ class _PotentialSearch:
                 (k for k, j in enumerate(numbers_of_remaining) if opposite(number, j)), None
             )
             fixed_points = self.fixed(location) if isinstance(location, Point) else []
-            if partner is not None and self._pair(location, remaining[partner][0], vector):
+            if partner is not None and self._recognise_central_force(
+                location, remaining[partner][0], vector
+            ):
                 self.recognised.append((sm.S.Zero, self._power(*remaining.pop(partner))))
                 numbers_of_remaining.pop(partner)
-            elif not any(self._pair(location, fixed_point, vector) for fixed_point in fixed_points):
+            elif not any(
+                self._recognise_central_force(location, fixed_point, vector)
+                for fixed_point in fixed_points
+            ):
                 remaining.append((location, vector))
                 numbers_of_remaining.append(number)
         opposites = [[opposite(i, j) for j in numbers_of_remaining] for i in numbers_of_remaining]
-        return self._pathways(remaining, opposites)
+        return self._recognise_pathways(remaining, opposites)
 
-    def _pathways(self, loads: list[Load], opposites: Sequence[Sequence[bool]]) -> list[Load]:
+    def _recognise_pathways(
+        self, loads: list[Load], opposites: Sequence[Sequence[bool]]
+    ) -> list[Load]:
         """Recognise equal tensions in all segments of a pathway; return the other loads."""
         segments: list[tuple[int, int, sm.Expr, sm.Expr]] = []  # two loads, force/line, L²
         for j in range(len(loads)):
@@ -328,7 +342,7 @@ class _PotentialSearch:
         total = sm.Add(*map(sm.sqrt, lengths.values()))
         return None if energy is None else replace_symbols(energy, {first: total})
 
-    def _pair(self, point: Location, partner: Location, force: Vector) -> bool:
+    def _recognise_central_force(self, point: Location, partner: Location, force: Vector) -> bool:
         """Recognise a force along the line to `partner` that depends on the distance alone."""
         if not (isinstance(point, Point) and isinstance(partner, Point)):
             return False
@@ -359,7 +373,7 @@ class _PotentialSearch:
             law = sm.signsimp(law)
         return _integral(-law, distance) if self._is_constant(law) else None
 
-    def _constant_load(self, location: Location, vector: Vector) -> bool:
+    def _recognise_constant_load(self, location: Location, vector: Vector) -> bool:
         """Recognise a constant load, or one proportional to a changing mass at its point."""
         if (mass := self._changing_mass(location)) != 1 and vector.args:
             # Products of decimals are rounded: divide at one value of the mass, then compare.
@@ -373,7 +387,9 @@ class _PotentialSearch:
         if not all(map(self._is_constant, components)):
             return False
         before = len(self.recognised)
-        if all(self._constant_force(term, mass) for term in self._terms(location, vector)):
+        if all(
+            self._recognise_constant_force(term, mass) for term in self._terms(location, vector)
+        ):
             return True
         del self.recognised[before:]
         return False
@@ -396,18 +412,18 @@ class _PotentialSearch:
         unit_vector = Vector([(direction, self.frame)])
         return self.mechanism.dot(self.line(origins[0], term.location), unit_vector)
 
-    def _constant_force(self, term: _Term, mass: sm.Expr = sm.S.One) -> bool:
+    def _recognise_constant_force(self, term: _Term, mass: sm.Expr = sm.S.One) -> bool:
+        """Recognise a constant force, for each unit of a `mass` that may change with time."""
         height = self._height(term) if self._is_constant(term.size) else None
         if height is None:
             return False
         power = mass * self._power(term.location, term.vector)
-        added_power = (
-            term.size * height * mass.diff(self.equations.time)
-        )  # of the mass that is added
+        # Mass that is added at this height has a potential energy there.
+        added_power = term.size * height * mass.diff(self.equations.time)
         self.recognised.append((-term.size * height * mass, power + added_power))
         return True
 
-    def _by_height(self, term: _Term) -> bool:
+    def _recognise_by_height(self, term: _Term) -> bool:
         """Recognise a switched force along a fixed line that depends on height alone."""
         height = self._height(term) if term.size.has(*_SWITCHED) else None
         if height is None:
@@ -427,9 +443,9 @@ class _PotentialSearch:
 
     # -- closed forms -----------------------------------------------------------------------------
 
-    def _closed(self, terms: list[_Term]) -> tuple[list[_Term], list[_Term]]:
+    def _recognise_closed_forms(self, terms: list[_Term]) -> tuple[list[_Term], list[_Term]]:
         """Recognise integrable loads; return those without a position, and all others."""
-        remaining = self._integrable(terms)
+        remaining = self._recognise_integrable(terms)
         # A constant force has a potential, but its point may have no position.
         constant = [
             t for t in remaining if isinstance(t.location, Point) and self._is_constant(t.size)
@@ -438,10 +454,10 @@ class _PotentialSearch:
         located = [term for term in remaining if term not in unlocated]
         return unlocated, [
             *unlocated,
-            *(self._integrable(located) if len(located) < len(terms) else located),
+            *(self._recognise_integrable(located) if len(located) < len(terms) else located),
         ]
 
-    def _integrable(self, terms: list[_Term]) -> list[_Term]:
+    def _recognise_integrable(self, terms: list[_Term]) -> list[_Term]:
         """Recognise loads whose work can be integrated; return the others.
 
         They are integrated together, as a spring between two bodies requires, or else one by one.
@@ -462,7 +478,7 @@ class _PotentialSearch:
                 self.recognised.append((energy, power))
         return remaining
 
-    def _along_one_rate(self, terms: list[_Term]) -> list[_Term]:
+    def _recognise_along_one_rate(self, terms: list[_Term]) -> list[_Term]:
         """Recognise loads that do work along one coordinate only; return the others.
 
         The power of a single load, or of opposite torques on two frames, is then a force times the

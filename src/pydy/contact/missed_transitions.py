@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, NamedTuple, Protocol
 
 import numpy as np
 
@@ -75,11 +75,14 @@ def missed_transitions(
 ) -> tuple[list[tuple[str, int]], np.ndarray | None]:
     """Refuse a motion in one mode if its integration missed a transition.
 
-    Return the kinds and contacts of inequalities that are violated from the start on: with forces
-    at their limits, or contacts that are `at_rest`, several modes are possible at the start, and
-    the motion shows which are wrong. Transitions `reported` by events at the end, where a load may
-    jump, are not missed there. Return also the outputs at all times of the simulation if the motion
-    is the whole of it.
+    An event at the time `end` ended the motion in the state `last`, before its reset; without an
+    event, `last` is None. Transitions that events `reported` there, where a load may jump, are not
+    missed.
+
+    Return two things. First, the kinds and contacts of inequalities that the motion violates from
+    its start on: where forces are at their limits, or contacts are `at_rest`, several modes are
+    possible at the start, and the motion shows which are wrong. Second, the outputs at all times of
+    the simulation if the motion is the whole of it, else None.
     """
     symbols, output_index = run.compiled.symbols, mode.output_index
     # Rows: the times of the motion, the end, and times at which the solver's steps begin.
@@ -108,13 +111,13 @@ def missed_transitions(
             _check_cuts(run, i, sample_times, states)
         if run.modes[i] == OPEN and table[:, output_index[symbols[i, "gap"]]].min() >= 0.0:
             continue
-        for symbol, slack, kind, words in _limits(run, i, i in at_rest):
-            column = output_index[symbol]
-            values = table[:, column] * (-1.0 if words[:5] == "power" else 1.0)
-            allowed = SLACK * np.abs(values).max(initial=0.0) + slack
+        for limit in _limits(run, i, i in at_rest):
+            column = output_index[limit.symbol]
+            values = table[:, column] * limit.sign
+            allowed = SLACK * np.abs(values).max(initial=0.0) + limit.slack
             below = values < -allowed
-            below[count] &= (kind, i) not in reported
-            if below.any() and symbol is symbols.get((i, "gap")):
+            below[count] &= (limit.kind, i) not in reported
+            if below.any() and limit.symbol is symbols.get((i, "gap")):
                 # Compare with the start: a gap that was closed before may have drifted.
                 below &= values < values[0] - allowed
                 # For large coordinates the relative tolerance resolves less of the gap.
@@ -125,20 +128,20 @@ def missed_transitions(
             if not below.any():
                 continue
             earlier = sample_times < sample_times[below].min()
-            if kind and values[earlier].max(initial=-np.inf) <= allowed:
-                broken.append((kind, i))
+            if limit.kind and values[earlier].max(initial=-np.inf) <= allowed:
+                broken.append((limit.kind, i))
                 continue
             worst = int(values.argmin())
             remedy = (
                 "between two transitions: the solver stepped over one. Limit the step with "
                 "`max_step`."
-                if words != "`normal`"  # a known normal force has no transitions
+                if limit.name != "`normal`"  # a known normal force has no transitions
                 else "during the motion, but must not be negative. Give an expression that is "
                 "never negative, such as Max(0, ...), or a Unilateral as `on`, which opens."
             )
             raise run.fail(
                 float(sample_times[worst]), states[worst],
-                f"The {words} of {c.name!r} became {table[worst, column]:.3g} "
+                f"The {limit.name} of {c.name!r} became {table[worst, column]:.3g} "
                 + remedy,
             )  # fmt: skip
     return broken, table[: count + 1] if whole else None
@@ -216,19 +219,28 @@ def diagnose_flat_gap(
     return ""
 
 
-def _limits(
-    run: ContactSimulation, i: int, at_rest: bool
-) -> Iterator[tuple[sm.Symbol, float, str, str]]:
-    """Yield the non-negative quantities of a contact's mode: symbol, slack, event kind, name."""
+class _Limit(NamedTuple):
+    """A quantity of a contact's mode that is not negative, or not positive if the sign is −1."""
+
+    symbol: sm.Symbol  # of the output
+    slack: float  # how far beyond zero it may be, beside a share of its size
+    kind: str  # of the event that ends the mode there; '' if no mode may begin beyond it
+    name: str  # in messages
+    sign: float = 1.0
+
+
+def _limits(run: ContactSimulation, i: int, at_rest: bool) -> Iterator[_Limit]:
+    """Yield the limits of a contact in its mode."""
     c, mode, symbols, size = run.contacts[i], run.modes[i], run.compiled.symbols, run.sizes[i]
     if c.unilateral is None:
-        yield symbols[i, "normal"], SLACK * size, "", "`normal`"
+        yield _Limit(symbols[i, "normal"], SLACK * size, "", "`normal`")
     if mode in SLIDES:
-        kind = "turns" if at_rest else ""
-        yield symbols[i, "power"], run.unresolved(i) * size, kind, "power of friction"
+        kind, slack = "turns" if at_rest else "", run.unresolved(i) * size
+        yield _Limit(symbols[i, "power"], slack, kind, "power of friction", sign=-1.0)
     if mode == STICKS:
-        yield margin_symbol(c), 2.0 * SLACK * size**2, "slips", "margin of friction, squared,"
+        slack = 2.0 * SLACK * size**2
+        yield _Limit(margin_symbol(c), slack, "slips", "margin of friction, squared,")
     if c.unilateral is not None and mode == OPEN:
-        yield symbols[i, "gap"], float(np.max(run.atol)), "", "gap"
+        yield _Limit(symbols[i, "gap"], float(np.max(run.atol)), "", "gap")
     elif c.unilateral is not None:
-        yield symbols[i, "normal"], SLACK * size, "opens", "normal force"
+        yield _Limit(symbols[i, "normal"], SLACK * size, "opens", "normal force")

@@ -58,14 +58,22 @@ def _of_simpson(
         slopes[tuple(f.jacobian_at.T)] = group.evaluate("jacobian", solution.z)
         slopes[group.rows, f.gradient_at] = group.evaluate("gradient", solution.z)
         parts.append((np.vstack([multipliers, np.ones(group.points)]), slopes))
-    (node_multipliers, rows), (middle, inner) = parts
-    inside = np.einsum("rm,rvm->vm", middle, inner)[: 4 * n].reshape(2, 2, n, M)
-    nodes = np.einsum("rm,rvm->vm", node_multipliers[n:], rows[n:])[: 2 * n].reshape(2, n, M + 1)
-    h, sides = np.diff(transcription.mesh), []
-    around = np.append(h, 0.0) + np.append(0.0, h)
+    (node_multipliers, node_slopes), (middle_multipliers, middle_slopes) = parts
+    # The Lagrangian without the equations at nodes: its derivatives by states and by slopes, of
+    # the middle of each interval by those of its first and last node, and of each node by its own.
+    middle = np.einsum("rm,rvm->vm", middle_multipliers, middle_slopes)[: 4 * n]
+    middle = middle.reshape(2, 2, n, M)  # state or slope, first or last node
+    node = np.einsum("rm,rvm->vm", node_multipliers[n:], node_slopes[n:])[: 2 * n]
+    node = node.reshape(2, n, M + 1)
+    lengths = np.diff(transcription.mesh)
+    lengths_at_node = np.append(lengths, 0.0) + np.append(0.0, lengths)
+    costates = []
     for side, (at, sign) in enumerate(((slice(M), 1.0), (slice(1, None), -1.0))):
-        x, v = inside[:, side] + nodes[:, :, at] * (h / around[at])
-        by_slope = rows[:n, n : 2 * n, at].transpose(2, 1, 0)
-        after = -np.linalg.solve(by_slope, v.T[..., None])[..., 0].T
-        sides.append(sign * (x + np.einsum("rm,rvm->vm", after, rows[:n, :n, at])))
-    return sides[0], sides[1]
+        share = lengths / lengths_at_node[at]  # of this interval in the weight of the node
+        by_state, by_slope = middle[:, side] + node[:, :, at] * share
+        # This interval's multipliers μ of the node's equations F = 0: by_slope + μ ∂F/∂slope = 0.
+        equations_by_slope = node_slopes[:n, n : 2 * n, at].transpose(2, 1, 0)
+        multipliers = -np.linalg.solve(equations_by_slope, by_slope.T[..., None])[..., 0].T
+        by_equations = np.einsum("rm,rvm->vm", multipliers, node_slopes[:n, :n, at])
+        costates.append(sign * (by_state + by_equations))
+    return costates[0], costates[1]

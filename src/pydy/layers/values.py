@@ -144,7 +144,10 @@ class BlockFunction:
         return kernel, parts
 
     def _slopes(self, wrt: tuple[int, ...], arrays: Arrays) -> np.ndarray:
-        """Return the time derivatives of sampled specifieds, (…, s)."""
+        """Return the time derivatives of sampled specifieds, (…, s).
+
+        The plan has no samples for those that an argument replaces.
+        """
         t = np.full(arrays[0].shape[:-1], self.problem.t)
         for part, array in zip(self.parts, arrays, strict=True):
             t = array[..., 0] if part.group == "t" else t
@@ -152,8 +155,6 @@ class BlockFunction:
         for columns, samples in self._plan.inputs.sampled:
             rows = [samples.slopes_at(float(instant)) for instant in t.ravel()]
             slopes[..., columns] = np.reshape(rows, (*t.shape, len(columns)))
-        if "r" in self._part_of:
-            slopes[..., list(self._part_of["r"].indices)] = 0.0
         return slopes
 
     def forward(self, wrt: tuple[int, ...], arrays: Arrays, directions: Arrays) -> np.ndarray:
