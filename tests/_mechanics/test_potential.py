@@ -9,7 +9,7 @@ import sympy.physics.mechanics as me
 
 from pydy._mechanics.definition import equations_of_definition
 from pydy._mechanics.kane import equations_of_kane
-from pydy._mechanics.potential import _PotentialSearch, find_potential
+from pydy._mechanics.potential import _PotentialSearch, _primitive, find_potential
 from pydy.contact import kelvin_voigt
 from pydy.mechanics import Definition, Implicit
 from pydy.system import System
@@ -592,6 +592,15 @@ def potential_of_chain(n):
     found = profile.runcall(find_potential, equations)
     expected = sm.Add(*(a * b**2 / 2 for a, b in zip(k, x, strict=True)))
     return found, expected, sum(entry.callcount for entry in profile.getstats())
+
+
+def test_sines_that_cancel_do_not_make_a_spring_infinite():
+    x, root = sm.Symbol("x", real=True), sm.sqrt(2)
+    sine, cosine = 3 * sm.sin(x) / 2, 3 * sm.cos(x) / 2
+    # The sum is 2 √5. SymPy alone divides by its derivative, which is zero.
+    products = (root - 1) * (sine - sm.sqrt(5)) + (root + 1) * (cosine + sm.sqrt(5))
+    number = products - 3 * root * (sm.sin(x) + sm.cos(x)) / 2 + sine - cosine
+    assert _primitive(x * number, x) == sm.sqrt(5) * x**2
 
 
 def test_springs_of_a_long_chain_in_relative_coordinates_take_no_cubic_time():

@@ -316,6 +316,39 @@ def test_a_sample_whose_dependent_conditions_fail_is_nan_among_others(library):
         np.asarray(last(0.1))
 
 
+def test_initial_conditions_that_follow_from_others_are_not_replaced_without_a_word(library):
+    x, y, v, w = me.dynamicsymbols("x y v w")
+    frame, origin = inertial_frame()
+    bob = origin.locatenew("P", x * frame.x + y * frame.y)
+    definition = Definition(
+        frame, [x, y], [v, w], bodies=[me.Particle("b", bob, 1)],
+        holonomic_constraints=[x**2 + y**2 - 1],
+    )  # fmt: skip
+    system = System(definition, times=[0.0, 0.2], ode_solver="dop853")
+    system.initial_conditions = {x: 0.6, y: -0.8}
+    system.set_dependent_initial_conditions([y, w])
+    layer = library.layer(system, constraints="project")
+    for function in (layer.simulate, layer.final):
+        with pytest.raises(ValueError, match=r"initial condition of w\(t\).* solved for y\(t\), w"):
+            function({v: library.array(1.0), w: library.array(0.75)})
+    # Without loads the bob goes along the circle with its initial speed: from (0, -1) by 0.2 rad.
+    start = {x: 0.0, y: -1.0, v: 1.0, w: 0.0}
+    found = layer.final({symbol: library.array(value) for symbol, value in start.items()})
+    close(found, [np.sin(0.2), -np.cos(0.2), np.cos(0.2), np.sin(0.2)], 1e-6)
+
+
+def test_a_list_of_numbers_keeps_the_derivatives_of_those_in_it(library):
+    system = multi_mass_spring_damper()  # x' = v, m v' = −k x − c v
+    layer = library.layer(system)
+
+    def rate(k):
+        return layer.ode([2.0, 3.0], 0.0, p=[0.5, k, k])[1] + k
+
+    close(library.grad(rate, library.array(0.8)), 1.0 + 0.5 * 3.0 / 0.8**2)
+    rows = layer.ode([[2.0, 3.0]], 0.0, p=[[0.5, library.array(0.8), 0.8]])
+    close(rows, [[3.0, -2.0 - 0.5 * 3.0 / 0.8]])
+
+
 def test_an_input_that_was_a_function_may_be_given(library):
     system = multi_mass_spring_damper(2, apply_external_forces=True)
     system.times = [0.0, 0.5]

@@ -1018,3 +1018,30 @@ def test_noise_with_a_memory_is_not_smooth():
     for k in range(1, 601):
         remembering[0][k] += 0.9 * remembering[0][k - 1]
     assert not is_smooth(remembering, autocorrelation(remembering)[0])
+
+
+def test_a_trial_does_not_start_where_the_constraints_replace_its_initial_conditions():
+    x, y, v, w = me.dynamicsymbols("x y v w")
+    g, frame, origin = sm.Symbol("g"), me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    bob = origin.locatenew("P", x * frame.x + y * frame.y)
+    definition = Definition(
+        frame, [x, y], [v, w], bodies=[me.Particle("b", bob, 1)], loads=[(bob, -g * frame.y)],
+        holonomic_constraints=[x**2 + y**2 - 1],
+    )  # fmt: skip
+    system = System(definition, {g: 9.0}, ode_solver="dop853")
+    system.initial_conditions = {x: 0.6, y: -0.8}
+    system.set_dependent_initial_conditions([y, w])
+    times = np.linspace(0.0, 1.0, num=11)
+
+    def rates(_, state):
+        return [state[1], -9.81 * np.sin(state[0])]
+
+    start = [np.arcsin(0.28), 0.0]
+    angles = solve_ivp(rates, (0.0, 1.0), start, t_eval=times, rtol=1e-11, atol=1e-12).y[0]
+    data = {"x": np.sin(angles)}
+    with pytest.raises(ValueError, match=r"trial 0` has y\(t\), but the .* solved for y\(t\), w"):
+        system.fit([g], Trial(times, data, initial_conditions={y: -0.96}))
+    for values in ({x: 0.28}, {x: 0.28, y: -0.96}):
+        result = system.fit([g], Trial(times, data, initial_conditions=values))
+        np.testing.assert_allclose(result.estimates, [9.81], rtol=1e-6)

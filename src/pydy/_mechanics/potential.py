@@ -613,11 +613,14 @@ def _primitive(force: sm.Expr, x: sm.Symbol) -> sm.Expr | None:
     """Return a continuous integral over x, or None if SymPy finds none."""
     if force.has(*_SWITCHED):
         force = sm.piecewise_fold(force.rewrite(sm.Piecewise))
+    # Sines and cosines that cancel, of a point beside an axis: SymPy would divide by their sum.
+    if not force.is_polynomial(x) and (expanded := sm.expand(force)).is_polynomial(x):
+        force = expanded
     try:
         integral = sm.integrate(force, x, manual=True)
     except (NotImplementedError, ValueError, TypeError, AttributeError, RecursionError):
         return None  # SymPy cannot order the intervals
-    if integral.has(sm.Integral, sm.I, sm.S.NaN):
+    if integral.has(sm.Integral, sm.I, sm.nan, sm.zoo, sm.oo, sm.S.NegativeInfinity):
         return None
     return _of_either_sign(integral)
 

@@ -124,7 +124,8 @@ class Layer:
         Parameters
         ----------
         x : array, shape (…, n), or dict, optional
-            Initial conditions.
+            Initial conditions. A dictionary names all of them, or independent ones: dependent ones
+            that the system solved for are solved for again.
         r : array, shape (…, s), or dict, optional
             Specifieds that are numbers. In a dictionary a specified that the system has as a
             SampledInput is an array of its samples, shape (…, m).

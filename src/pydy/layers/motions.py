@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pydy._checks import describe
 from pydy._errors import IntegrationError, SingularMatrixError
 from pydy._forks import Lock
 from pydy._integration import simulate
@@ -61,10 +62,12 @@ class MotionFunction:
             symbol_index = definition.places[KINDS[part.group]]
             symbols = tuple(symbol_index.symbols[k] for k in part.indices)
             self._symbols.append(symbols)
-            if part.group == "x" and part.is_full:
+            if part.group == "x" and len(symbols) == len(states):
                 self._solved_for = ()  # the caller's states are used without changes
                 self._wrt.append([s for s in symbols if s not in following])
             else:
+                if part.group == "x":
+                    _check_independent(symbols, self._solved_for)
                 self._wrt.append([*symbols])
         self._names = unique_names(states)
         self._lock = Lock()  # threads share the model's prepared integration
@@ -294,6 +297,18 @@ class MotionFunction:
         )
         result: np.ndarray = slopes
         return result
+
+
+def _check_independent(symbols: Sequence[AnySymbol], solved_for: Sequence[AnySymbol]) -> None:
+    """Refuse initial conditions that the constraints would replace."""
+    replaced = [s for s in symbols if s in solved_for]
+    if replaced:
+        raise ValueError(
+            f"`x` has the initial condition of {describe(replaced)}, but the constraints are "
+            f"solved for {describe(solved_for)}. Leave it out, give all states, or make it "
+            "independent: call set_dependent_initial_conditions(dep_vars=…) with other variables "
+            "before you make the layer."
+        )
 
 
 def _one_by_one(

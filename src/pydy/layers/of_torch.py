@@ -32,7 +32,9 @@ class TorchArrays:
         """Return a tensor of float64; numbers and arrays are converted."""
         torch = self.torch
         if not isinstance(value, torch.Tensor):
-            return torch.as_tensor(self._numbers(value, argument))
+            if isinstance(value, (list, tuple)) and self._has_tensors(value):
+                return self._stacked(value, argument)
+            return torch.as_tensor(real_array(value, argument))
         if not value.is_floating_point() and not value.is_complex():
             return value.to(torch.float64)
         if value.dtype != torch.float64:
@@ -43,16 +45,23 @@ class TorchArrays:
             )
         return value
 
-    def _numbers(self, value: object, argument: str) -> np.ndarray:
-        """Return numbers as an array; a list may contain tensors with one number."""
-        if isinstance(value, (list, tuple)) and any(
-            isinstance(entry, self.torch.Tensor) for entry in value
-        ):
-            value = [getattr(entry, "tolist", lambda entry=entry: entry)() for entry in value]
-        try:
-            return real_array(value, argument)
-        except ValueError as error:
-            raise TypeError(f"{error} Pass a tensor of float64.") from None
+    def _has_tensors(self, entries: Sequence[object]) -> bool:
+        """Return whether a list contains tensors, at any depth."""
+        return any(
+            isinstance(entry, self.torch.Tensor)
+            or (isinstance(entry, (list, tuple)) and self._has_tensors(entry))
+            for entry in entries
+        )
+
+    def _stacked(self, value: Sequence[object], argument: str) -> Tensor:
+        """Return a list of numbers and tensors as one tensor, which keeps their derivatives."""
+        entries = [self.array(entry, argument) for entry in value]
+        shapes = list(dict.fromkeys(tuple(entry.shape) for entry in entries))
+        if len(shapes) > 1:
+            raise ValueError(
+                f"{argument} must hold entries of one shape, got {', '.join(map(str, shapes))}."
+            )
+        return self.torch.stack(entries)
 
     def concatenate(self, columns: Sequence[Tensor]) -> Tensor:
         """Return tensors (…, k), broadcast and concatenated along the last axis."""

@@ -141,8 +141,26 @@ class FitProblem:
         chosen = states.chosen(conditions, argument)
         numbers = {s: x[k] for k, s in enumerate(states.symbols) if s in chosen}
         warn_of_contradictions(base, "states", numbers, f"`{argument}` for ")
+        self._check_independent(d, numbers, argument)
         start = with_unknowns(base.at(np.array([d.start]), x[None]), {}, base.inputs.rows)
         return dict(zip(states.symbols, start.x[0].tolist(), strict=True))
+
+    def _check_independent(
+        self, d: TrialSamples, numbers: Mapping[AnySymbol, float], argument: str
+    ) -> None:
+        """Refuse coordinates, or speeds, that the constraints replace by those of the System."""
+        base, count = self.base, len(self.base.definition.equations.coordinates)
+        states = base.definition.states
+        chosen = {*numbers, *d.unknown, *(symbol for _, symbol in self.shared)}
+        for part in (range(count), range(count, len(states))):
+            named = [k for k in part if states[k] in chosen]
+            new = [k for k in named if k in base.dependent and numbers.get(states[k]) != base.x[k]]
+            if new and all(k in base.dependent for k in named):
+                raise ValueError(
+                    f"`{argument}` has {describe([states[k] for k in new])}, but the constraints "
+                    f"are solved for {describe(self.dependents)}. Give independent ones, or call "
+                    "set_dependent_initial_conditions(dep_vars=…) with other variables first."
+                )
 
     # -- motions ----------------------------------------------------------------------------------
 
