@@ -27,7 +27,15 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import TypeAlias
 
-from pydy._graph.facts import INPUT, PARTLY_CONSTANT, SOLUTIONS, STATE, TIME, NodeFacts
+from pydy._graph.facts import (
+    INPUT,
+    PARTLY_CONSTANT,
+    SOLUTIONS,
+    SOLVED,
+    STATE,
+    TIME,
+    NodeFacts,
+)
 from pydy._graph.node import Graph
 from pydy._graph.rewrite import make_canonical, replaced
 from pydy._graph.switch_arguments import SwitchArguments
@@ -196,7 +204,8 @@ class DerivativeSides:
         for factor in factors:
             while g.ops[factor] in ("abs", "sign", "sqrt"):  # zero where their operands are
                 (factor,) = g.args[factor]
-            if self.facts.of(factor) & PARTLY_CONSTANT:
+            # The rows of slopes have none of solutions.
+            if self.facts.of(factor) & (PARTLY_CONSTANT | SOLVED) == PARTLY_CONSTANT:
                 slope = self._slope(factor, direction)
                 is_zero = g.call("eq", factor, g.zero)
                 conditions.append(g.call("and", is_zero, g.call("eq", slope, g.zero)))
