@@ -733,7 +733,8 @@ class System:
         Returns
         -------
         function
-            ``rhs(x, t, r, p)``, also available as `evaluate_ode_function`.
+            ``rhs(x, t, r, p)``, also available as `evaluate_ode_function`. Its first call warns of
+            a quaternion that is not of unit length; later states may be those inside of a step.
 
         Raises
         ------
@@ -1031,6 +1032,12 @@ class System:
             A shape is not valid.
         SingularMatrixError
             The mass matrix is singular; a subclass of `numpy.linalg.LinAlgError`.
+
+        Warns
+        -----
+        PyDyUserWarning
+            A quaternion among the states is not of unit length, so that it orients no frame. Every
+            evaluation that depends on it warns, once.
 
         Examples
         --------

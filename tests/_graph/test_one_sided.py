@@ -66,6 +66,60 @@ def test_what_is_zero_together_is_so_wherever_and_however_small_it_is(place, sca
 
 
 c, d = P[:2]
+PRESSED = sm.Max(x, 0)
+
+
+def _strictly(a, b):
+    return sm.StrictLessThan(a, b, evaluate=False)
+
+
+def _at_most(a, b):
+    return sm.LessThan(a, b, evaluate=False)
+
+
+@pytest.mark.parametrize("place", [-0.75, -0.3, 0.3, 0.75])
+@pytest.mark.parametrize(
+    ("condition", "holds"),
+    [
+        (_strictly(0, PRESSED), lambda v: v > 0),
+        (_strictly(0, PRESSED**2), lambda v: v > 0),
+        (_strictly(0, PRESSED * y), lambda v: v > 0),
+        (_strictly(0, sm.sqrt(PRESSED)), lambda v: v > 0),
+        (_at_most(PRESSED, 0), lambda v: v <= 0),
+        (_strictly(0, x + sm.Abs(x)), lambda v: v > 0),
+        (_strictly(sm.Abs(x), x), lambda v: False),
+        (_at_most(x, sm.Abs(x)), lambda v: True),
+        (_strictly(sm.Min(x, 0.5), x), lambda v: v > 0.5),
+        (_at_most(x, sm.Min(x, 0.5)), lambda v: v <= 0.5),
+        (_strictly(x, sm.Piecewise((x, x > 0), (2 * x + 1, True))), lambda v: -1 < v <= 0),
+        (_strictly(0, sm.Max(x - 0.5, 0) + sm.Min(x + 0.5, 0)), lambda v: v > 0.5),
+        (_strictly(0, sm.floor(2 * x)), lambda v: v > 0.5),
+        (_strictly(0, sm.Heaviside(x)), lambda v: v > 0),
+        (_strictly(x, x), lambda v: False),
+        (_at_most(x, x), lambda v: True),
+        (sm.And(_strictly(0, PRESSED), y > 0), lambda v: v > 0),
+        (sm.Not(_strictly(0, PRESSED), evaluate=False), lambda v: v <= 0),
+    ],
+)
+def test_a_condition_that_is_an_equality_in_a_region_is_that_at_the_point(condition, holds, place):
+    """There is no side to choose: a contact without a penetration, a controller below its limit."""
+    pieces = sm.Piecewise((3 * x * y, condition), (y**2, True), evaluate=False)
+    slopes = [1.5, 3 * place] if holds(place) else [0.0, 1.0]
+    found = derivatives([pieces], place, 0.5, variables=(x, y))[0]
+    np.testing.assert_allclose(found, slopes, atol=1e-15)
+
+
+def test_a_sign_that_is_zero_in_a_region_is_so_in_derivatives():
+    pulled = sm.sign(PRESSED) * y
+    np.testing.assert_array_equal(derivatives([pulled], -0.3, 0.5, variables=(x, y)), [[0, 0]])
+    np.testing.assert_array_equal(derivatives([pulled], 0.3, 0.5, variables=(x, y)), [[0, 1]])
+
+
+def test_at_the_edge_of_such_a_region_all_terms_are_on_one_side():
+    """A spring and a damper that act while Max(x, 0) > 0 do, at x = 0, where x is positive."""
+    for condition in (PRESSED > 0, _strictly(0, PRESSED**2)):
+        force = 3 * PRESSED + sm.Piecewise((2 * y, condition), (0, True))
+        np.testing.assert_array_equal(derivatives([force], 0.0, 0.5, variables=(x, y)), [[3, 2]])
 
 
 @pytest.mark.parametrize(

@@ -1,5 +1,6 @@
 """Numbers and motions that contradict the assumptions of their symbols."""
 
+import pickle
 import warnings
 from functools import cache
 
@@ -339,6 +340,113 @@ def test_linear_models_and_ensembles_warn_of_a_quaternion_that_is_not_of_unit_le
         system.integrate_ensemble(initial_conditions={"e1": [0.0, 0.5]})
     system.linearize()  # warnings are errors
     system.integrate_ensemble(initial_conditions={"w1": [0.0, 0.5]})
+
+
+def leaning(**options):
+    """A pendulum that a quaternion orients, under its weight."""
+    system = turning()
+    definition = system.eom_method
+    (solid,) = definition.bodies
+    origin, frame = me.Point("O"), definition.frame
+    origin.set_vel(frame, 0)
+    centre = origin.locatenew("G", 2 * solid.frame.x)
+    centre.v2pt_theory(origin, frame, solid.frame)
+    body = me.RigidBody("solid", centre, solid.frame, 1, (solid.central_inertia, centre))
+    return System(
+        Definition(
+            frame, definition.coordinates, definition.speeds, bodies=[body],
+            loads=[(centre, -9.81 * frame.z)],
+            kinematic_equations=definition.kinematic_equations, **options,
+        )
+    )  # fmt: skip
+
+
+def length_is_held(system):
+    coordinates = system.eom_method.coordinates
+    return {"holonomic_constraints": [sum(e**2 for e in coordinates) - 1]}
+
+
+BAD, UNIT = [0.6, 0.0, 0.6, 0.0, 0.1, 0.2, 0.3], [0.6, 0.0, 0.8, 0.0, 0.1, 0.2, 0.3]
+OF_EVALUATIONS = "e0 = 0.6, e1 = 0, e2 = 0.6, e3 = 0 orient no frame.* theirs is 0.848528"
+
+
+@pytest.mark.parametrize("held", [False, True])
+@pytest.mark.parametrize(
+    "evaluate",
+    [
+        lambda system, x: system.evaluate_ode(x),
+        lambda system, x: system.evaluate_jacobian(x=x),
+        lambda system, x: system.evaluate_energy(x),
+        lambda system, x: system.evaluate_gradient(system.potential_energy, x=x),
+        lambda system, x: system.gravity(x[:4]),
+        lambda system, x: system.frame_rotation("solid", x[:4]),
+        lambda system, x: system.inverse_dynamics(x[:4], x[4:], [0.0, 0.0, 0.0]),
+        lambda system, x: system.generate_ode_function()(x, 0.0, []),
+        lambda system, x: system.generate_ode_function(time_first=True)(0.0, x, []),
+    ],
+)
+def test_evaluations_warn_of_a_quaternion_that_is_not_of_unit_length(evaluate, held):
+    system = leaning(**(length_is_held(turning()) if held else {}))
+    evaluate(system, UNIT)  # warnings are errors
+    system = leaning(**(length_is_held(turning()) if held else {}))
+    with pytest.warns(PyDyUserWarning, match=f"In the state, {OF_EVALUATIONS}"):
+        evaluate(system, BAD)
+
+
+def test_evaluations_warn_once_and_name_the_row():
+    system = leaning()
+    with pytest.warns(PyDyUserWarning, match=f"In state 1 of those to evaluate, {OF_EVALUATIONS}"):
+        system.evaluate_ode([UNIT, BAD])
+    system.evaluate_ode(BAD)
+
+
+def test_what_depends_on_no_quaternion_does_not_warn_of_it():
+    system = leaning(**length_is_held(turning()))
+    masses = np.diag([1.0, 1.0 + 4.0, 1.0 + 4.0])
+    np.testing.assert_allclose(system.mass_matrix(BAD[:4]), masses, atol=1e-15)
+    # The residual says that it is not of unit length.
+    np.testing.assert_allclose(system.evaluate_holonomic_constraints(BAD), [2 * 0.6**2 - 1])
+
+
+def test_a_generated_function_judges_its_first_state_alone():
+    """Later states may be stages of an integrator, which leave the unit length."""
+    rhs = leaning().generate_ode_function()
+    rhs(np.array(UNIT), 0.0, np.zeros(0))
+    np.testing.assert_allclose(rhs(np.array(BAD), 0.0, np.zeros(0))[0], -0.6 * 0.2 / 2)
+    again = pickle.loads(pickle.dumps(rhs))
+    with pytest.warns(PyDyUserWarning, match=OF_EVALUATIONS):
+        again(np.array(BAD), 0.0, np.zeros(0))
+
+
+def test_an_exported_start_warns_of_a_quaternion_that_is_not_of_unit_length(tmp_path):
+    system = leaning()
+    with pytest.warns(PyDyUserWarning, match="The initial conditions e0 = 0, .* Set e0 = 1"):
+        system.export(tmp_path / "leaning.c")
+    system.initial_conditions = {"e0": 1.0}
+    system.export(tmp_path / "leaning.c")
+
+
+def test_a_quaternion_that_the_matrix_normalises_may_have_any_length():
+    """Its matrix is divided by the square of its length: a rotation at any length."""
+    q, (u, *_) = me.dynamicsymbols("e0:4"), me.dynamicsymbols("w1:4")
+    frame, centre = me.ReferenceFrame("N"), me.Point("C")
+    other = me.ReferenceFrame("M")
+    matrix = other.dcm(other.orientnew("A", "Quaternion", q)) / sum(e**2 for e in q)
+    body = frame.orientnew("B", "DCM", matrix)
+    body.set_ang_vel(frame, u * body.x)
+    centre.set_vel(frame, 0)
+    solid = me.RigidBody("solid", centre, body, 1, (me.inertia(body, 1, 1, 1), centre))
+    rates = [-q[1] * u, q[0] * u, q[3] * u, -q[2] * u]
+    system = System(
+        Definition(
+            frame, q, [u], bodies=[solid],
+            kinematic_equations=[2 * e.diff(TIME) - rate for e, rate in zip(q, rates, strict=True)],
+        )
+    )  # fmt: skip
+    np.testing.assert_allclose(
+        system.frame_rotation("solid", [2.0, 2.0, 0.0, 0.0]),
+        [[1, 0, 0], [0, 0, -1], [0, 1, 0]], atol=1e-15,
+    )  # fmt: skip
 
 
 def test_a_matrix_of_small_angles_is_no_quaternion():

@@ -12,7 +12,14 @@ from pydy._evaluation.exporting import exported_model
 from pydy.export import Variable, write
 from pydy.export.c import c_string
 from pydy.export.model import identifiers
-from zoo.exported_models import ball, hostile, kicked, pendulum, spring_of
+from zoo.exported_models import (
+    ball,
+    hostile,
+    kicked,
+    kicked_at_an_input,
+    pendulum,
+    spring_of,
+)
 
 COMPILERS = [name for name in ("gcc", "clang") if shutil.which(name)]
 STRICT = ["-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic"]
@@ -147,6 +154,14 @@ def test_the_times_at_which_rates_switch_follow_the_constants(tmp_path):
     p = np.array([values[str(s)] for s in system.constants_symbols])
     times, _ = call(library, ("kicked", "switches"), 0.0, np.zeros(2), np.zeros(1), p, 3)
     assert sorted(times) == [1.5, 7.0, 7.25]
+
+
+def test_the_times_at_which_rates_switch_follow_the_inputs(tmp_path):
+    system = kicked_at_an_input()
+    library = built(COMPILERS[0], system.export(tmp_path / "kicked.c").path, tmp_path)
+    r, p = np.array([7.0]), np.array([0.25])
+    times, _ = call(library, ("kicked", "switches"), 0.0, np.zeros(2), r, p, 2)
+    assert sorted(times) == [7.0, 7.25]
 
 
 def test_a_string_keeps_every_character(tmp_path):

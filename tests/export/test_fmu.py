@@ -36,6 +36,7 @@ from zoo.exported_models import (
     ball,
     hostile,
     kicked,
+    kicked_at_an_input,
     kicked_to,
     pendulum,
     spring_of,
@@ -156,6 +157,20 @@ def test_a_pulse_between_two_steps_is_not_passed_over(tmp_path, hasty, fmi):
                 )  # fmt: skip
                 expected = kicked_to(20.0, t0, w)
                 assert [*result[-1]][1:] == pytest.approx(expected, rel=1e-6, abs=1e-7)
+
+
+@pytest.mark.parametrize("fmi", VERSIONS)
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_pulse_that_an_input_begins_is_not_passed_over(tmp_path, hasty, fmi, kind):
+    unit = str(kicked_at_an_input().export(tmp_path / "kicked.fmu", fmi=fmi).path)
+    # The input is 18, and from 5 s on 11.3.
+    rows = np.rec.fromarrays([[0.0, 5.0, 5.0, 20.0], [18.0, 18.0, 11.3, 11.3]], names=["time", "D"])
+    for t0, given in ((11.3, {"start_values": {"D": 11.3}}), (11.3, {"input": rows})):
+        result = fmpy.simulate_fmu(
+            unit, fmi_type=kind, stop_time=20.0, output_interval=5.0, output=["x", "v"],
+            relative_tolerance=1e-9, **given,
+        )  # fmt: skip
+        assert [*result[-1]][1:] == pytest.approx(kicked_to(20.0, t0, 0.01), rel=1e-6, abs=1e-7)
 
 
 @pytest.mark.parametrize("fmi", VERSIONS)

@@ -8,6 +8,7 @@ import subprocess
 import numpy as np
 import pytest
 import sympy as sm
+import sympy.physics.mechanics as me
 from sympy.physics.mechanics import dynamicsymbols
 
 from oracles import crossings, departures, projections
@@ -23,9 +24,18 @@ from pydy.export.javascript import (
     javascript_of,
     literal,
 )
+from pydy.mechanics import Definition
 from pydy.solvers import Event
+from pydy.system import System
 from zoo.ball import bouncing_ball
-from zoo.exported_models import ball, hostile, kicked, kicked_to, pendulum
+from zoo.exported_models import (
+    ball,
+    hostile,
+    kicked,
+    kicked_at_an_input,
+    kicked_to,
+    pendulum,
+)
 
 
 def test_every_function_of_an_operation_is_defined():
@@ -140,6 +150,17 @@ def test_a_pulse_between_two_steps_is_not_passed_over(tmp_path):
         assert run["steps"] < 100
 
 
+@by_node
+def test_a_pulse_that_an_input_begins_is_not_passed_over(tmp_path):
+    pulses = [(5.0, 0.01), (11.3, 1e-4), (0.0, 0.1)]
+    wanted = [
+        {"times": [0.0, 20.0], "constants": {"w": w}, "inputs": {"D": t0}} for t0, w in pulses
+    ]
+    runs = simulated(tmp_path, kicked_at_an_input(), None, wanted)
+    for (t0, w), run in zip(pulses, runs, strict=True):
+        assert run["states"][1] == pytest.approx(kicked_to(20.0, t0, w), rel=1e-8, abs=1e-9)
+
+
 def test_pulses_that_exported_code_does_not_know_are_warned_of(tmp_path):
     system = kicked()
     system.constants = {}
@@ -147,6 +168,21 @@ def test_pulses_that_exported_code_does_not_know_are_warned_of(tmp_path):
     with pytest.warns(PyDyUserWarning, match=r"6 times, the closest 0\.08945 apart, .*`maxStep"):
         system.export(tmp_path / "kicked.js")
     system.export(tmp_path / "kicked.c")  # which has no solver
+
+
+def test_pulses_by_an_input_that_exported_code_does_not_know_are_warned_of(tmp_path):
+    x, v, level = dynamicsymbols("x v level")
+    N, O = me.ReferenceFrame("N"), me.Point("O")
+    O.set_vel(N, 0)
+    P = O.locatenew("P", x * N.x)
+    force = sm.Piecewise((500, sm.sin(dynamicsymbols._t) > level), (0, True))
+    system = System(
+        Definition(N, [x], [v], bodies=[me.Particle("mass", P, 2)], loads=[(P, force * N.x)]),
+        times=[0.0, 20.0], specifieds={level: 0.999},
+    )  # fmt: skip
+    # 2 acos(0.999) = 0.08945, and two of three and a half periods
+    with pytest.warns(PyDyUserWarning, match=r"6 times, the closest 0\.08945 apart"):
+        system.export(tmp_path / "kicked.js")
 
 
 @by_node

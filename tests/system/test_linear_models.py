@@ -527,3 +527,25 @@ def test_a_motion_without_its_derivative_as_input_is_warned_of():
     system.linearize(inputs=z.diff())
     system.constants["c"] = 0.0  # the derivative has no effect
     system.linearize(inputs=z)
+
+
+def test_a_contact_that_is_open_has_no_damping():
+    """Its penetration Max(−x, 0) is zero wherever it is open, so that no side is to be chosen."""
+    x, v = me.dynamicsymbols("x v")
+    stiffness, damping = sm.symbols("k c")
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    place = origin.locatenew("P", x * frame.x)
+    deep = sm.Max(-x, 0)
+    push = sm.Piecewise((stiffness * deep - damping * v, deep > 0), (0, True)) - 4 * (x - 2)
+    ball = me.Particle("ball", place, 1)
+    system = System(
+        Definition(frame, [x], [v], bodies=[ball], loads=[(place, push * frame.x)]),
+        constants={stiffness: 50.0, damping: 3.0}, initial_conditions={x: 2.5},
+        times=np.linspace(0.0, 2.0, num=5), ode_solver="dop853",
+    )  # fmt: skip
+    np.testing.assert_array_equal(system.linearize({x: 2.0}).A, [[0, 1], [-4, 0]])
+    np.testing.assert_array_equal(system.linearize({x: -0.1}).A, [[0, 1], [-54, -3]])
+    motion = system.simulate(sensitivities=[damping], rtol=1e-10, atol=1e-10)
+    np.testing.assert_allclose(motion["x"], 2 + np.cos(2 * system.times) / 2, atol=1e-8)
+    np.testing.assert_array_equal(motion.sensitivity["x", damping], np.zeros(5))

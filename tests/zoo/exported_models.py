@@ -94,6 +94,20 @@ def kicked():
     return system
 
 
+def kicked_at_an_input():
+    """The same mass; when the force begins is an input D."""
+    x, v, begin = me.dynamicsymbols("x v D")
+    t, w = me.dynamicsymbols._t, sm.Symbol("w")
+    N, O = me.ReferenceFrame("N"), me.Point("O")
+    O.set_vel(N, 0)
+    place = O.locatenew("P", x * N.x)
+    pulse = sm.Piecewise((500, (t > begin) & (t < begin + w)), (0, True))
+    bodies, loads = [me.Particle("mass", place, 2)], [(place, pulse * N.x)]
+    system = System(Definition(N, [x], [v], bodies=bodies, loads=loads), times=[0.0, 20.0])
+    system.specifieds, system.constants = {begin: 5.0}, {w: 0.01}
+    return system
+
+
 def kicked_to(t, t0, w):
     """Its place and speed at a time after the push."""
     return 250 * w * (t - t0 - w / 2), 250 * w

@@ -139,7 +139,8 @@ def evaluate_block(
     if wrt is None and any(blocks) and any(problem.definition.equations.constraints.redundant):
         check = partial(warn_of_redundant, blocks=blocks)
     x, t, r, p = arguments
-    return Evaluator(problem, kernel, names, wrt or (), check=check)(t, x, r, p)
+    f = Evaluator(problem, kernel, names, wrt or (), check=check, of_constraints=any(blocks))
+    return f(t, x, r, p)
 
 
 def evaluate_product(

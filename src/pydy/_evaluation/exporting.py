@@ -22,7 +22,7 @@ from pydy._assembly import (
 from pydy._checks import choice, describe
 from pydy._errors import warn_user
 from pydy._graph import TimeSwitches, derivative_program, lower
-from pydy._judges import warn_of_missing_derivatives
+from pydy._judges import check_orientations, warn_of_missing_derivatives
 from pydy._mechanics import find_symbols
 from pydy._motion import (
     check_events,
@@ -184,23 +184,21 @@ def _builders(
 
 
 def _switch_times(
-    problem: Problem,
-    columns: tuple[int, ...],
-    span: tuple[float, float],
-    max_step: float | None,
+    problem: Problem, r: np.ndarray, span: tuple[float, float], max_step: float | None
 ) -> Program | None:
-    """Return the Program of the times at which the rates switch by time alone, if there are any.
+    """Return the Program of the times at which the rates switch whatever the states are, if any.
 
-    These are zeros of switches that are linear in time, which depend on constants. Warns if others
-    are closer to one another than the longest step of the exported code, None if it has no solver.
+    These are zeros of switches that are linear in time, which depend on constants and inputs: the
+    exported code computes them anew where these change. Warns if others are closer to one another
+    than the longest step of the exported code, None if it has no solver.
     """
     rates = problem.code.programs.of("rates")
-    switches = TimeSwitches.of(rates, frozenset(columns))
+    switches = TimeSwitches.of(rates, frozenset())
     if switches is None:
         return None
     times, others = switches.split_by_linearity()
     if max_step is not None and others is not None:
-        _warn_of_pulses(others, problem, span, max_step)
+        _warn_of_pulses(others, problem, r, span, max_step)
     if not times:
         return None
     sizes = rates.signature.sizes
@@ -208,11 +206,14 @@ def _switch_times(
 
 
 def _warn_of_pulses(
-    switches: TimeSwitches, problem: Problem, span: tuple[float, float], max_step: float
+    switches: TimeSwitches,
+    problem: Problem,
+    r: np.ndarray,
+    span: tuple[float, float],
+    max_step: float,
 ) -> None:
-    """Warn of switches that are closer than the longest step."""
-    specifieds = np.zeros(len(problem.definition.specifieds))
-    zeros = switches.times(problem.p, specifieds, *span)
+    """Warn of switches that are closer than the longest step, with the present inputs r."""
+    zeros = switches.times(problem.p, r, *span)
     closest = float(np.diff(zeros.rows[:, 0]).min(initial=np.inf))
     if zeros.unresolved * max_step > span[1] - span[0] or closest < max_step:
         several = f"{zeros.unresolved or len(zeros.rows)} times"
@@ -250,9 +251,11 @@ def exported_model(
     checked = check_events(events, definition.places["states"])
     _check_resets(definition, checked)
     stop = float(times[-1]) if len(times) > 1 else start + 1.0
-    r = problem.inputs(problem.x, start) if columns else np.zeros(0)
-    switches = _switch_times(problem, columns, (start, stop), max_step)
+    r = problem.inputs(problem.x, start) if columns else np.zeros(len(definition.specifieds))
+    switches = _switch_times(problem, r, (start, stop), max_step)
     builders = _builders(problem, columns, checked, bool(projection))
+    if matrices := definition.equations.quaternion_matrices:
+        check_orientations(problem.at(np.array([start]), problem.x[None]), matrices)
     if switches is not None:
         builders["switches"] = lambda: with_inputs(switches, columns)
     parts = [

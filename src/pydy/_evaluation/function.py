@@ -12,7 +12,7 @@ from pydy._assembly import CompiledModel, constraints_with_redundant
 from pydy._checks import real_array
 from pydy._errors import SingularMatrixError
 from pydy._graph import inputs_of
-from pydy._judges import explain, warn_not_finite
+from pydy._judges import check_evaluated_orientations, explain, warn_not_finite
 from pydy._kernel import Kernel
 from pydy._problem import (
     TOGETHER,
@@ -74,6 +74,7 @@ class Evaluator:
     solve: bool = False  # whether implicit coordinates are solved for, although x is given
     # Whether the user's functions of specifieds are called only where the Kernel reads specifieds.
     skips_unread_inputs: bool = False
+    of_constraints: bool = False  # whether what it returns are residuals of constraints
 
     def __call__(
         self, t: object = None, x: object = None, r: object = None, p: object = None
@@ -118,6 +119,9 @@ class Evaluator:
         if self.check is not None:
             self.check(at)
         kernel, vectors = self.kernel(code), self.vectors
+        if definition.equations.unit_quaternions and problem.settings.contradicted is not None:
+            known, held = problem.settings.contradicted, not self.of_constraints
+            check_evaluated_orientations(at, kernel.program, known, held=held)
         try:
             if definition.assumptions:
                 AssumptionChecks(problem).samples(at, plan, x is not None)

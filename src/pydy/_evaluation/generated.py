@@ -3,11 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import partial
 from typing import TYPE_CHECKING, Any
+
+import numpy as np
 
 from pydy._assembly import CompiledModel
 from pydy._checks import flag
 from pydy._errors import warn_user
+from pydy._judges import check_evaluated_orientations
+from pydy._problem import StateSamples
 from pydy.codegen import RightHandSide, make_function
 
 if TYPE_CHECKING:
@@ -50,8 +55,21 @@ def generated_function(
 
     The `arguments` are how it reads r and p and in which order, which is the same for one code.
     """
-    side = RightHandSide(code, any_layout=any_layout, **arguments)
+    definition = code.definition
+    oriented = definition is not None and definition.equations.unit_quaternions
+    judge = partial(_judge_first_state, code) if oriented else None
+    side = RightHandSide(code, any_layout=any_layout, judge=judge, **arguments)
     functions: dict[bool, FunctionType] = code.latest.setdefault("functions", {})
     if side.refuse_strided not in functions:
         functions[side.refuse_strided] = make_function(side)
     return functions[side.refuse_strided]
+
+
+def _judge_first_state(code: CompiledModel, x: object) -> None:
+    """Warn if the state of a generated function's first call has quaternions not of unit length."""
+    definition = code.definition
+    assert definition is not None
+    state = np.asarray(x, dtype=float)[None]
+    r, p = np.zeros((1, len(definition.specifieds))), np.ones(len(definition.constants))
+    at = StateSamples(definition, code, np.zeros(1), state, r, p)  # no orientation depends on these
+    check_evaluated_orientations(at, code.compiled("rates").program, set())

@@ -16,6 +16,10 @@ regular at the switch, as √x or a quotient that a Piecewise protects, is not e
 Conditions of time stay as they are, since their sides are the times before and after, and so do
 those of parameters in a Piecewise, which select an equation. The solution of a linear system is the
 one at the point.
+
+An argument may be zero in whole regions, as ``max(x, 0)`` where x is negative and ``min(x, 1) − x``
+where x is below 1: it is flat there. No side is to be chosen then; the conditions are those at the
+point.
 """
 
 from __future__ import annotations
@@ -23,7 +27,15 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import TypeAlias
 
-from pydy._graph.facts import INPUT, PARTLY_CONSTANT, SOLUTIONS, STATE, TIME, NodeFacts
+from pydy._graph.facts import (
+    INPUT,
+    PARTLY_CONSTANT,
+    SOLUTIONS,
+    SOLVED,
+    STATE,
+    TIME,
+    NodeFacts,
+)
 from pydy._graph.node import Graph
 from pydy._graph.rewrite import make_canonical, replaced
 from pydy._graph.switch_arguments import SwitchArguments
@@ -123,9 +135,12 @@ class DerivativeSides:
         positive, negative = g.one, g.const(-1.0)
         if self._is_below(argument, g.zero) is False:
             is_negative = self._comparison("lt", argument, g.zero)
-            return g.call("select", is_negative, negative, positive)
-        is_positive = self._comparison("lt", g.zero, argument)
-        return g.call("select", is_positive, positive, negative)
+            step = g.call("select", is_negative, negative, positive)
+        else:
+            is_positive = self._comparison("lt", g.zero, argument)
+            step = g.call("select", is_positive, positive, negative)
+        flat = self._is_flat(argument, g.zero)
+        return step if flat is None else g.call("select", flat, g.zero, step)
 
     def _condition(self, condition: int, yes: int, no: int) -> int:
         """Return the condition of a ``select`` on one side, if its branch there is regular."""
@@ -151,7 +166,10 @@ class DerivativeSides:
         g, facts = self.graph, self.facts.of(a, b)
         if not facts & STATE and (facts & TIME or not facts & INPUT):
             return g.call(op, a, b)
+        if g.value(g.sub(a, b)) == 0.0:  # equal everywhere
+            return g.call(op, a, b)
         is_below = self._is_below(a, b)
+        takes_equal = is_below
         if is_below is None:
             factor, argument = self._argument(a, b)
             growth = g.sum([(self._slope(argument, 0 if facts & STATE else 1), -factor)])
@@ -159,8 +177,39 @@ class DerivativeSides:
             comparison = g.call("and", g.call("le", a, b), just_below)
         else:
             comparison = g.call("le" if is_below else "lt", a, b)
+        if takes_equal is not (op == "le") and (flat := self._is_flat(a, b)) is not None:
+            if op == "le":
+                comparison = g.call("or", comparison, g.call("and", g.call("le", a, b), flat))
+            else:
+                below = g.call("or", g.call("lt", a, b), g.call("not", flat))
+                comparison = g.call("and", comparison, below)
         self.conditions.add(comparison)
         return comparison
+
+    def _is_flat(self, a: int, b: int) -> int | None:
+        """Return whether a − b is zero around a state and not there alone; None if it never is.
+
+        It is where one of its factors is zero and has no slope on the side of the derivatives. That
+        of x |x| is zero where x is, too, but not those of its factors.
+        """
+        g, facts = self.graph, self.facts.of(a, b)
+        if not facts & PARTLY_CONSTANT or not facts & (STATE | INPUT):
+            return None
+        direction = 0 if facts & STATE else 1
+        _, difference = g.scaled(g.sub(*(self._originals.get(n, n) for n in (a, b))))
+        factors = [difference]
+        if g.ops[difference] == "prod":
+            factors = [n for n, exponent in g.args[difference] if exponent > 0]
+        conditions = []
+        for factor in factors:
+            while g.ops[factor] in ("abs", "sign", "sqrt"):  # zero where their operands are
+                (factor,) = g.args[factor]
+            # The rows of slopes have none of solutions.
+            if self.facts.of(factor) & (PARTLY_CONSTANT | SOLVED) == PARTLY_CONSTANT:
+                slope = self._slope(factor, direction)
+                is_zero = g.call("eq", factor, g.zero)
+                conditions.append(g.call("and", is_zero, g.call("eq", slope, g.zero)))
+        return g.call("or", *conditions) if conditions else None
 
     def _is_below(self, a: int, b: int) -> bool | None:
         """Return whether a < b beside the states where they are equal; None if slopes tell."""

@@ -1,4 +1,5 @@
 from .assumptions import (
+    check_evaluated_orientations as check_evaluated_orientations,
     check_orientations as check_orientations,
     check_sample_orientations as check_sample_orientations,
     free_quaternions as free_quaternions,

@@ -15,6 +15,7 @@ import numpy as np
 import sympy as sm
 
 from pydy._assembly import Assembly
+from pydy._checks import describe
 from pydy._errors import warn_user
 from pydy._interpolation import evenly
 from pydy._judges.tuning import TYPED
@@ -26,9 +27,11 @@ from pydy._mechanics import (
 from pydy._motion import EvaluationRecorder, Motion, is_odeint
 from pydy._names import name_of, numbers_of
 from pydy._problem import AssumptionChecks, StateSamples
+from pydy._program import Program
 from pydy.solvers import DriftCheck, Options
 
 if TYPE_CHECKING:
+    from pydy._program import Tangent
     from pydy._sympy_types import AnySymbol
 
 
@@ -87,13 +90,8 @@ def free_quaternions(equations: Equations) -> tuple[tuple[int, ...], ...]:
     """Return the indices of the coordinates of quaternions whose length no constraint holds."""
     coordinates, constraints = equations.coordinates, equations.constraints
     held = [set(find_symbols([row])) & {*coordinates} for row in constraints.holonomic]
-    free: dict[tuple[int, ...], None] = {}
-    for matrix in equations.quaternion_matrices:
-        symbols = find_symbols(matrix).keys()
-        doubled = matrix.xreplace(dict.fromkeys(symbols, sm.S.One))
-        if set(symbols) not in held and doubled * doubled.T != sm.eye(3):  # it is not normalised
-            free[tuple(k for k, q in enumerate(coordinates) if q in symbols)] = None
-    return tuple(free)
+    every = equations.unit_quaternions
+    return tuple(columns for columns in every if {coordinates[k] for k in columns} not in held)
 
 
 @dataclass(frozen=True)
@@ -124,16 +122,55 @@ def check_orientations(
         indices = [i for i, q in enumerate(at.definition.equations.coordinates) if q in symbols]
         names, values = [at.definition.states[i] for i in indices], at.x[worst, indices]
         remedy, scalar = "Scale them to unit length.", _scalar_part(matrix, names)
+        length = float(np.linalg.norm(values))
         if not values.any() and scalar is not None:
             remedy = f"Set {name_of(scalar)} = 1 for a frame that is not turned."
         subject = "The initial conditions" if whose is None else whose(worst)
         warn_user(
             f"{subject} {numbers_of(map(name_of, names), values)} orient no frame: "
             f"their direction cosine matrix is no rotation, by {deviations[worst]:.2g}. A "
-            f"quaternion must be of unit length. {remedy}"
+            f"quaternion must be of unit length, and theirs is {length:.6g}. {remedy}"
         )
         return True  # one is enough
     return False
+
+
+def check_evaluated_orientations(
+    at: StateSamples, program: Program | Tangent, known: set[str], *, held: bool = True
+) -> None:
+    """Warn once of a quaternion not of unit length where a Program that reads it is evaluated.
+
+    The `known` names are those that the user has been warned of. Without `held`, quaternions whose
+    length a constraint holds are left to the residuals, which are what is evaluated.
+    """
+    equations = at.definition.equations
+    for columns in equations.unit_quaternions if held else free_quaternions(equations):
+        squares = np.einsum("mk,mk->m", at.x[:, columns], at.x[:, columns])
+        # The matrix's own deviation is computed only then: no product of its rows is off by more
+        # than four times what the square of the length is.
+        (rows,) = np.nonzero(np.abs(squares - 1.0) > TYPED / 4)
+        symbols = {equations.coordinates[k] for k in columns}
+        name = describe([at.definition.states[k] for k in columns])
+        if not len(rows) or name in known or not _reads(program, columns):
+            continue
+        matrices = [m for m in equations.quaternion_matrices if {*find_symbols(m)} == symbols]
+
+        def whose(k: int, rows: np.ndarray = rows) -> str:
+            return f"In state {rows[k]} of those to evaluate," if len(at.x) > 1 else "In the state,"
+
+        if check_orientations(at.subset(rows), tuple(matrices), whose):
+            known.add(name)
+
+
+def _reads(program: Program | Tangent, columns: Sequence[int]) -> bool:
+    """Return whether a Program has one of the states among its inputs."""
+    if isinstance(program, Program):
+        return any(
+            op == "input" and args[0] == "x" and args[1] in columns
+            for op, args in zip(program.ops, program.args, strict=True)
+        )
+    parts = (program.shared, *(part.program for part in program.parts))
+    return any(_reads(part, columns) for part in parts)
 
 
 def check_sample_orientations(

@@ -202,6 +202,20 @@ class Equations:
         return tuple(m for m in matrices if _is_of_quaternion(m, self.coordinates))
 
     @cached_property
+    def unit_quaternions(self) -> tuple[tuple[int, ...], ...]:
+        """The columns of quaternions whose matrices are rotations at unit length alone.
+
+        Those of matrices that are divided by the square of the length may have any.
+        """
+        columns: dict[tuple[int, ...], None] = {}
+        for matrix in self.quaternion_matrices:
+            symbols = find_symbols(matrix)
+            doubled = matrix.xreplace(dict.fromkeys(symbols, sm.S.One))
+            if doubled * doubled.T != sm.eye(3):
+                columns[tuple(k for k, q in enumerate(self.coordinates) if q in symbols)] = None
+        return tuple(columns)
+
+    @cached_property
     def symbols(self) -> dict[AnySymbol, None]:
         """The symbols, functions of time and derivatives that occur in the equations of motion."""
         occurring = find_symbols(self.expressions)

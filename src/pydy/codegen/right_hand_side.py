@@ -6,7 +6,7 @@ when they are not float64 vectors of the right length; only then are they conver
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from inspect import Parameter, signature
 from typing import TYPE_CHECKING, Any, TypeAlias
 
@@ -166,8 +166,12 @@ class RightHandSide:
         specifieds_arg_type: str | None = None,
         time_first: bool = False,
         any_layout: bool = False,
+        judge: Callable[[object], None] | None = None,
     ) -> None:
         self.model = model
+        # Called with the state of the first call alone, the start of most integrations: the states
+        # of later calls may be stages of a step, which need not satisfy anything.
+        self.judge = judge
         self.layout = model.layout
         self.time_first = time_first
         self.num_outputs = len(model.assembly.blocks.ordinary)
@@ -257,7 +261,22 @@ class RightHandSide:
             def rhs(*args):  # type: ignore[no-untyped-def]
                 return evaluate(args)
 
-        rhs.native = self.native  # type: ignore[attr-defined]
+        function: Any = rhs if self.judge is None else self._judged(rhs, self.judge)
+        function.native = self.native
+        return function
+
+    def _judged(
+        self, evaluate: Callable[..., Any], judge: Callable[[object], None]
+    ) -> Callable[..., Any]:
+        """Return the function with a check of the state of its first call."""
+        pending, state = [judge], int(self.time_first)
+
+        def rhs(*args: Any) -> Any:
+            out = evaluate(*args)
+            while pending:
+                pending.pop()(args[state])
+            return out
+
         return rhs
 
     def native(self, args: Arguments) -> KernelCall | None:

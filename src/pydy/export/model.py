@@ -108,7 +108,7 @@ class Model:
         The places of states that residuals give.
     switches : int
         The number of times at which the rates switch whatever the states are, which the Program
-        'switches' computes from the constants.
+        'switches' computes from the constants and inputs.
     told : callable
         Called as ``told(0, part=name)`` before a part is made, and as ``told(1)`` after it.
     """

@@ -28,7 +28,7 @@ enum {
 typedef struct {
     double t, x[NX + 1], u[NU + 1], p[NP + 1], prepared[NPREPARED];
     double rates[NX + 1], outputs[NY + 1], z[NE + 1], dz[NE + 1];
-    int prepared_fresh, rates_fresh, outputs_fresh, running, starting;
+    int prepared_fresh, switches_fresh, rates_fresh, outputs_fresh, running, starting;
     int64_t sides[NE + 1], fired[NE + 1], off[NE + 1], seen[NE + 1], led[NE + 1];
     double last_u[NU + 1], last_p[NP + 1]; /* after the last event or step of the importer */
     /* the outcome with which the motion has ended or failed, and the event, if it is one's */
@@ -120,8 +120,11 @@ static void prepare(Model *m)
         memset(&constants, 0, sizeof constants);
         memcpy(&constants, m->p, NP * sizeof(double));
         MODEL(prepare)(&constants, m->prepared);
-        m->prepared_fresh = 1;
+        m->prepared_fresh = 1, m->switches_fresh = 0;
+    }
+    if (!m->switches_fresh) {
         find_switches(m);
+        m->switches_fresh = 1;
     }
 }
 
@@ -214,9 +217,10 @@ static int set_real(Model *m, unsigned vr, double value)
 {
     if (vr >= AT_X && vr < AT_DX)
         m->x[vr - AT_X] = value;
-    else if (vr >= AT_U && vr < AT_Y)
+    else if (vr >= AT_U && vr < AT_Y) {
         m->u[vr - AT_U] = value;
-    else if (vr >= AT_P && vr < AT_Z) {
+        m->switches_fresh = 0;
+    } else if (vr >= AT_P && vr < AT_Z) {
         m->p[vr - AT_P] = value;
         m->prepared_fresh = 0;
     } else
@@ -487,7 +491,7 @@ static void note_led(Model *m)
     m->prepared_fresh = m->prepared_fresh && !tuned;
     event_values(m, m->t, m->x, z);
     memcpy(m->u, u, sizeof u), memcpy(m->p, p, sizeof p);
-    m->prepared_fresh = m->prepared_fresh && !tuned;
+    m->prepared_fresh = m->prepared_fresh && !tuned, m->switches_fresh = 0;
     for (int k = 0; k < NE; k++)
         if (z[k] * (double)m->sides[k] > 0.0 && m->z[k] * (double)m->sides[k] < 0.0)
             m->led[k] = 1;
