@@ -45,6 +45,8 @@ class Model:
     """Further conserved quantities."""
     start: dict = field(default_factory=dict)
     """A consistent initial state, for models with constraints and for the conserved quantities."""
+    quaternion: tuple = ()
+    """Coordinates that orient a frame at unit length alone."""
 
     @property
     def states(self):
@@ -57,10 +59,12 @@ class Model:
     def sample(self, seed=0, m=None):
         """One generic state and time, or m of them; constraints are not looked at."""
         rng = np.random.default_rng(seed)
-        n = len(self.states)
-        if m is None:
-            return rng.uniform(0.2, 0.9, n), float(rng.uniform(0.3, 2.0))
-        return rng.uniform(0.2, 0.9, (m, n)), np.sort(rng.uniform(0.3, 2.0, m))
+        x = rng.uniform(0.2, 0.9, (m or 1, len(self.states)))
+        t = np.sort(rng.uniform(0.3, 2.0, m or 1))
+        columns = [self.states.index(q) for q in self.quaternion]
+        if columns:
+            x[:, columns] /= np.linalg.norm(x[:, columns], axis=1, keepdims=True)
+        return (x[0], float(t[0])) if m is None else (x, t)
 
 
 def _numbers(*symbols, start=0.7):
@@ -508,7 +512,14 @@ def gyro():
     energy = sum(i * j**2 for i, j in zip(inertias, w, strict=True)) / 2
     size = sum(i**2 * j**2 for i, j in zip(inertias, w, strict=True))
     momenta = (size, sum(i**2 for i in e))
-    return Model(kane, _numbers(*inertias), energy=energy, momenta=momenta, start=start)
+    return Model(
+        kane,
+        _numbers(*inertias),
+        energy=energy,
+        momenta=momenta,
+        start=start,
+        quaternion=tuple(e),
+    )
 
 
 @derived_once
