@@ -16,7 +16,7 @@ import os
 import subprocess
 import sys
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 from statistics import median
@@ -50,20 +50,15 @@ def pendulum(links: int, motion: str) -> System:
     return system
 
 
-def alternating(values: tuple[Any, Any]) -> Iterator[Any]:
-    """Return an endless iterator over two values in turn."""
-    return itertools.cycle(values)
-
-
 def repeated(links: int, motion: str) -> dict[str, tuple[Callable[[], Any], Callable[[], Any]]]:
     """Return pairs of calls: one that changes something each time, and the same call unchanged."""
     system = pendulum(links, motion)
     mass = next(c for c in system.constants_symbols if c.name == "m0")
     end, number = MOTIONS[motion]
     # The motions of a pair take equally many steps: only what is prepared differs.
-    tolerances = alternating((1e-8, 1e-8 * (1.0 + 1e-9)))
-    masses = alternating((1.0 / links, (1.0 + 1e-12) / links))
-    times = alternating((system.times, np.linspace(0.0, end, num=number - 1)))
+    tolerances = itertools.cycle((1e-8, 1e-8 * (1.0 + 1e-9)))
+    masses = itertools.cycle((1.0 / links, (1.0 + 1e-12) / links))
+    times = itertools.cycle((system.times, np.linspace(0.0, end, num=number - 1)))
 
     def other_constant() -> None:
         system.constants[mass] = next(masses)

@@ -254,8 +254,7 @@ def exported_model(
     r = problem.inputs(problem.x, start) if columns else np.zeros(len(definition.specifieds))
     switches = _switch_times(problem, r, (start, stop), max_step)
     builders = _builders(problem, columns, checked, bool(projection))
-    if matrices := definition.equations.quaternion_matrices:
-        check_orientations(problem.at(np.array([start]), problem.x[None]), matrices)
+    check_orientations(problem.at(np.array([start]), problem.x[None]))
     if switches is not None:
         builders["switches"] = lambda: with_inputs(switches, columns)
     parts = [

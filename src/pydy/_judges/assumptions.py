@@ -6,7 +6,7 @@ rotations only at unit length.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from math import prod
 from typing import TYPE_CHECKING
@@ -106,21 +106,26 @@ class _Orientations:
 
 
 def check_orientations(
-    at: StateSamples, matrices: tuple[sm.MatrixBase, ...], whose: Callable[[int], str] | None = None
+    at: StateSamples,
+    whose: Callable[[int], str] | None = None,
+    quaternions: Iterable[tuple[int, ...]] | None = None,
 ) -> bool:
     """Warn of the state where a quaternion is farthest from unit length; return whether one is.
 
-    `whose` names a state by its index; by default it is that of the initial conditions.
+    `whose` names a state by its index; by default it is that of the initial conditions. All
+    `quaternions` are checked, or those with these columns.
     """
-    rows = at.interpret(_Orientations(matrices))
-    for k, matrix in enumerate(matrices):
+    every = at.definition.equations.unit_quaternions
+    chosen = [(c, m) for c in (every if quaternions is None else quaternions) for m in every[c]]
+    if not chosen:
+        return False
+    rows = at.interpret(_Orientations(tuple(matrix for _, matrix in chosen)))
+    for k, (columns, matrix) in enumerate(chosen):
         deviations = np.abs(rows[str(k)]).max(axis=1, initial=0.0)
         worst = int(np.argmax(np.where(np.isnan(deviations), 0.0, deviations)))
         if not deviations[worst] > TYPED:
             continue
-        symbols = find_symbols(matrix)
-        indices = [i for i, q in enumerate(at.definition.equations.coordinates) if q in symbols]
-        names, values = [at.definition.states[i] for i in indices], at.x[worst, indices]
+        names, values = [at.definition.states[i] for i in columns], at.x[worst, columns]
         remedy, scalar = "Scale them to unit length.", _scalar_part(matrix, names)
         length = float(np.linalg.norm(values))
         if not values.any() and scalar is not None:
@@ -149,16 +154,14 @@ def check_evaluated_orientations(
         # The matrix's own deviation is computed only then: no product of its rows is off by more
         # than four times what the square of the length is.
         (rows,) = np.nonzero(np.abs(squares - 1.0) > TYPED / 4)
-        symbols = {equations.coordinates[k] for k in columns}
         name = describe([at.definition.states[k] for k in columns])
         if not len(rows) or name in known or not _reads(program, columns):
             continue
-        matrices = [m for m in equations.quaternion_matrices if {*find_symbols(m)} == symbols]
 
         def whose(k: int, rows: np.ndarray = rows) -> str:
             return f"In state {rows[k]} of those to evaluate," if len(at.x) > 1 else "In the state,"
 
-        if check_orientations(at.subset(rows), tuple(matrices), whose):
+        if check_orientations(at.subset(rows), whose, [columns]):
             known.add(name)
 
 
@@ -178,7 +181,6 @@ def check_sample_orientations(
     t: float,
     columns: Sequence[np.ndarray],
     shape: tuple[int, ...],
-    matrices: tuple[sm.MatrixBase, ...],
 ) -> None:
     """Warn of a sample of an ensemble, among up to 64, with a quaternion not of unit length.
 
@@ -192,7 +194,7 @@ def check_sample_orientations(
         sample = f" of sample {', '.join(map(str, indices))}" if shape else ""
         return f"The initial conditions{sample},"
 
-    check_orientations(at(np.full(len(numbers), t), x), matrices, whose)
+    check_orientations(at(np.full(len(numbers), t), x), whose)
 
 
 def _scalar_part(matrix: sm.MatrixBase, names: Sequence[AnySymbol]) -> AnySymbol | None:

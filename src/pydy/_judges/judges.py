@@ -20,9 +20,8 @@ def judge_start(problem: Problem, times: np.ndarray, ready: PreparedIntegration)
     at_start, off = (times[:1], problem.x[None]), False
     if ready.constrained:
         off = check_start(problem.at(*at_start), corrected=ready.enforced)
-    matrices = problem.definition.equations.quaternion_matrices
-    if matrices and not off:
-        check_orientations(problem.at(*at_start), matrices)
+    if not off and problem.definition.equations.unit_quaternions:
+        check_orientations(problem.at(*at_start))
     if not ready.start_judged and (problem.plan.expressions or ready.constrained):
         warn_of_impulses(problem, times)
     ready.start_judged = True

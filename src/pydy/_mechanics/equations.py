@@ -195,25 +195,20 @@ class Equations:
         return "\n  ".join(lines)
 
     @cached_property
-    def quaternion_matrices(self) -> tuple[sm.MatrixBase, ...]:
-        """The direction cosine matrices of quaternions: rotations only at unit length."""
+    def unit_quaternions(self) -> dict[tuple[int, ...], list[sm.MatrixBase]]:
+        """The columns of quaternions that orient frames at unit length alone, and their matrices.
+
+        Quaternions whose matrix is divided by the square of the length may have any.
+        """
         made_from = self.mechanism or self.multibody
         matrices = () if made_from is None else FrameTree(made_from.frame).rotation_matrices()
-        return tuple(m for m in matrices if _is_of_quaternion(m, self.coordinates))
-
-    @cached_property
-    def unit_quaternions(self) -> tuple[tuple[int, ...], ...]:
-        """The columns of quaternions whose matrices are rotations at unit length alone.
-
-        Those of matrices that are divided by the square of the length may have any.
-        """
-        columns: dict[tuple[int, ...], None] = {}
-        for matrix in self.quaternion_matrices:
-            symbols = find_symbols(matrix)
-            doubled = matrix.xreplace(dict.fromkeys(symbols, sm.S.One))
-            if doubled * doubled.T != sm.eye(3):
-                columns[tuple(k for k, q in enumerate(self.coordinates) if q in symbols)] = None
-        return tuple(columns)
+        quaternions: dict[tuple[int, ...], list[sm.MatrixBase]] = {}
+        for matrix in matrices:
+            if _is_of_unit_quaternion(matrix, self.coordinates):
+                symbols = find_symbols(matrix)
+                columns = tuple(k for k, q in enumerate(self.coordinates) if q in symbols)
+                quaternions.setdefault(columns, []).append(matrix)
+        return quaternions
 
     @cached_property
     def symbols(self) -> dict[AnySymbol, None]:
@@ -267,8 +262,11 @@ class Equations:
 _UNITS = [[sm.Rational(n, 10) for n in numbers] for numbers in ((5, 5, 5, 5), (1, 7, 1, 7))]
 
 
-def _is_of_quaternion(matrix: sm.MatrixBase, coordinates: Sequence[TimeFunction]) -> bool:
-    """Return whether a matrix is a quaternion's; matrices of small angles are not rotations."""
+def _is_of_unit_quaternion(matrix: sm.MatrixBase, coordinates: Sequence[TimeFunction]) -> bool:
+    """Return whether a matrix is a rotation for quaternions of unit length alone.
+
+    Matrices of small angles are not rotations.
+    """
     if matrix.has(sm.sin, sm.cos):  # a quick test that excludes most matrices
         return False
     symbols = find_symbols(matrix)
@@ -278,4 +276,5 @@ def _is_of_quaternion(matrix: sm.MatrixBase, coordinates: Sequence[TimeFunction]
         rotation = matrix.xreplace(dict(zip(symbols, numbers, strict=True)))
         if rotation * rotation.T != sm.eye(3):
             return False
-    return True
+    longer = matrix.xreplace(dict.fromkeys(symbols, sm.S.One))  # of length 2
+    return bool(longer * longer.T != sm.eye(3))

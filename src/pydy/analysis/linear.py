@@ -274,8 +274,8 @@ def linearize(
     point, single = _evaluation_point(problem, at, t)
     T, free = point.tangents()
     violated = definition.equations.constraints.are_present and _warn_of_violations(point)
-    if not violated and (matrices := definition.equations.quaternion_matrices):
-        check_orientations(point, matrices, lambda k: f"In {_state_text(k, len(point.x))},")
+    if not violated:
+        check_orientations(point, lambda k: f"In {_state_text(k, len(point.x))},")
     A = point.directional("rates", T)[:, free]
     symbols = definition.specifieds if inputs is None else one_or_more("inputs", inputs)
     columns = definition.places["specifieds"].columns(symbols, "inputs").tolist()

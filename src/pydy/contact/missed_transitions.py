@@ -219,7 +219,7 @@ def diagnose_flat_gap(
     return ""
 
 
-class _Limit(NamedTuple):
+class _ModeLimit(NamedTuple):
     """A quantity of a contact's mode that is not negative, or not positive if the sign is −1."""
 
     symbol: sm.Symbol  # of the output
@@ -229,18 +229,18 @@ class _Limit(NamedTuple):
     sign: float = 1.0
 
 
-def _limits(run: ContactSimulation, i: int, at_rest: bool) -> Iterator[_Limit]:
+def _limits(run: ContactSimulation, i: int, at_rest: bool) -> Iterator[_ModeLimit]:
     """Yield the limits of a contact in its mode."""
     c, mode, symbols, size = run.contacts[i], run.modes[i], run.compiled.symbols, run.sizes[i]
     if c.unilateral is None:
-        yield _Limit(symbols[i, "normal"], SLACK * size, "", "`normal`")
+        yield _ModeLimit(symbols[i, "normal"], SLACK * size, "", "`normal`")
     if mode in SLIDES:
         kind, slack = "turns" if at_rest else "", run.unresolved(i) * size
-        yield _Limit(symbols[i, "power"], slack, kind, "power of friction", sign=-1.0)
+        yield _ModeLimit(symbols[i, "power"], slack, kind, "power of friction", sign=-1.0)
     if mode == STICKS:
         slack = 2.0 * SLACK * size**2
-        yield _Limit(margin_symbol(c), slack, "slips", "margin of friction, squared,")
+        yield _ModeLimit(margin_symbol(c), slack, "slips", "margin of friction, squared,")
     if c.unilateral is not None and mode == OPEN:
-        yield _Limit(symbols[i, "gap"], float(np.max(run.atol)), "", "gap")
+        yield _ModeLimit(symbols[i, "gap"], float(np.max(run.atol)), "", "gap")
     elif c.unilateral is not None:
-        yield _Limit(symbols[i, "normal"], SLACK * size, "opens", "normal force")
+        yield _ModeLimit(symbols[i, "normal"], SLACK * size, "opens", "normal force")

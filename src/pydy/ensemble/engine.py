@@ -81,11 +81,12 @@ class Ensemble:
         """The sizes of the blocks that are Dask tasks, along each dimension.
 
         A block costs the scheduler tens of milliseconds, as long as some hundred short motions
-        take. A connected cluster therefore gets few blocks, but one for each of its threads, and
-        where there are many, so many that all threads end at about the same time.
+        take. A cluster therefore gets few blocks, but one for each of its threads, and where there
+        are many, so many that all threads end at about the same time.
         """
-        threads = _threads_of_cluster()
-        if threads == 0 or not self.work.model.in_lanes:
+        is_automatic = isinstance(self.chunks, str) and self.work.model.in_lanes
+        threads = self._threads_of_cluster() if is_automatic else 0
+        if threads == 0:
             return self.sizes
         size = prod(self.sizes)
         smallest = max(SMALLEST_BLOCK, min(size, -(-self.samples.size // threads)))
@@ -370,6 +371,17 @@ class Ensemble:
             return None
         return get_scheduler()
 
+    def _threads_of_cluster(self) -> int:
+        """Return the number of threads of the cluster that would compute, or 0 without one."""
+        if "distributed" not in sys.modules:  # Dask would import it, to find no client
+            return 0
+        try:
+            client = getattr(self._scheduler(), "__self__", None)
+            threads_of_workers = getattr(client, "nthreads", dict)
+            return sum(threads_of_workers().values())
+        except (RuntimeError, OSError):  # an asynchronous client, or one without an answer
+            return 0
+
 
 def _size(block: Block) -> int:
     """Return the number of samples in a block."""
@@ -381,18 +393,6 @@ def _processors() -> int:
     if hasattr(os, "sched_getaffinity"):
         return len(os.sched_getaffinity(0))
     return os.cpu_count() or 1
-
-
-def _threads_of_cluster() -> int:
-    """Return the number of threads of the Dask cluster that is connected, or 0."""
-    distributed = sys.modules.get("distributed")
-    if distributed is None:
-        return 0
-    try:
-        client = distributed.default_client()
-        return 0 if client.asynchronous else sum(client.nthreads().values())
-    except (ValueError, OSError):  # no client, or one whose scheduler does not answer
-        return 0
 
 
 def _startable(number: int) -> int:

@@ -136,9 +136,8 @@ def integrate_ensemble(
         derivatives = ensemble_sensitivities(
             at(times[:1], problem.x[None]), initial, compiled, controlled
         )
-    matrices = definition.equations.quaternion_matrices
-    if matrices and not violated:
-        check_sample_orientations(at, float(times[0]), samples.x, samples.shape, matrices)
+    if not violated and definition.equations.unit_quaternions:
+        check_sample_orientations(at, float(times[0]), samples.x, samples.shape)
     read = ready.read
     if read is None or derivatives is not None:
         read = _read(definition, solver, compiled)
