@@ -134,7 +134,8 @@ def satellite():
         bodies=bodies,
         forcelist=loads,
     )
-    return Model(kane, _numbers(m, n, c, g, *inertias, *own))
+    values = _numbers(m, n, c, g, *inertias, *own)
+    return Model(kane, values, start={e[0]: 1.0}, quaternion=tuple(e))
 
 
 @derived_once
