@@ -318,6 +318,44 @@ def test_searches_begin_at_zero_in_any_unit(metre):
     assert found == pytest.approx([0.6 * np.sin(0.7), height[height.imag == 0.0].real[0]], rel=1e-9)
 
 
+@pytest.mark.parametrize("use_jac", [False, True])
+@pytest.mark.parametrize("metre", [1e-9, 1.0, 1e9])
+def test_a_linkage_that_is_closed_from_bars_in_line_has_angles_near_the_guess(metre, use_jac):
+    """Steps from there are long: the bars turned 16 and 35 times before they closed."""
+    q = me.dynamicsymbols("q1:4")
+    frame, origin = inertial_frame()
+    bodies, end, bar = [], origin, frame
+    for k, length in enumerate((1.0, 3.0, 2.5)):
+        bar = bar.orientnew(f"A{k}", "Axis", (q[k], frame.z))
+        end = end.locatenew(f"P{k}", length * metre * bar.x)
+        bodies.append(me.Particle(f"b{k}", end, sm.Integer(1)))
+    gap = end.pos_from(origin) - 3.0 * metre * frame.x
+    made = Definition(
+        frame, q, bodies=bodies, dependent_coordinates=q[1:],
+        holonomic_constraints=[gap.dot(frame.x), gap.dot(frame.y)],
+    )  # fmt: skip
+    system = System(made, initial_conditions={q[0]: 0.5})
+    system.set_dependent_initial_conditions(use_jac=use_jac)
+    angles = np.cumsum([system.initial_conditions[s] for s in q])
+    assert np.abs(np.diff(angles)).max() <= np.pi
+    closed = np.exp(1j * angles) @ [1.0, 3.0, 2.5]
+    assert closed == pytest.approx(3.0, rel=1e-14)
+
+
+def test_revolutions_of_a_gear_remain():
+    a, b, x = me.dynamicsymbols("a b x")
+    frame, origin = inertial_frame()
+    point = origin.locatenew("P", x * frame.x + sm.Symbol("r") * (sm.cos(a) + b) * frame.y)
+    made = Definition(
+        frame, [a, b, x], bodies=[me.Particle("p", point, sm.Symbol("m"))],
+        holonomic_constraints=[b - 3 * a, x - 2 * b], dependent_coordinates=[b, x],
+    )  # fmt: skip
+    system = System(made, initial_conditions={a: 5.0})
+    system.set_dependent_initial_conditions()
+    assert system.initial_conditions[b] == pytest.approx(15.0, rel=1e-15)
+    assert system.initial_conditions[x] == pytest.approx(30.0, rel=1e-15)
+
+
 def test_constraints_whose_derivatives_are_not_finite_are_named():
     x, y = me.dynamicsymbols("x y")
     frame, origin = inertial_frame()

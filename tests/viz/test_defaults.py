@@ -364,8 +364,20 @@ def test_a_plane_body_without_another_point_is_a_plate_that_hides_nothing():
 
 def test_a_solid_is_drawn_on_bars_where_it_is_small_beside_them():
     heavy = body(5, 2, 2, 2)  # a ball of radius 1
-    assert default_shape(heavy, {}, 1.0, reach=3.0).radius == pytest.approx(1.0)
-    assert default_shape(heavy, {}, 1.0, reach=1.5).radius < 0.1
+    assert default_shape(heavy, {}, 1.0, [np.array([3.0, 0.0, 0.0])]).radius == pytest.approx(1.0)
+    assert default_shape(heavy, {}, 1.0, [np.array([1.5, 0.0, 0.0])]).radius < 0.1
+
+
+@pytest.mark.parametrize("metre", [1e-9, 1.0, 1e9])
+def test_the_hub_of_arms_that_span_space_is_drawn_smaller(metre):
+    """A satellite's bus was three thin bars between the drums of its wheels."""
+    bus = body(6, 3 * metre**2, 4 * metre**2, 5 * metre**2)  # edges √6, 2, √2
+    arms = [*(2.0 * metre * np.eye(3))]
+    hub = default_shape(bus, {}, metre, arms)
+    edges = np.array([hub.x, hub.y, hub.z]) / metre
+    assert edges == pytest.approx(np.sqrt([6.0, 4.0, 2.0]) / np.sqrt(3.0))
+    assert np.linalg.norm(edges) == pytest.approx(2.0)  # the diagonal, of a radius of half an arm
+    assert default_shape(bus, {}, metre, arms[:2]).radius < 0.1 * metre
 
 
 def test_only_loads_that_may_be_weights_are_expressed_in_the_frame_of_the_scene(monkeypatch):

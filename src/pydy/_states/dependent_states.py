@@ -21,6 +21,8 @@ from pydy._rank import (
     DIGITS,
     HALF,
     ROUNDED,
+    ROUNDING,
+    ROUNDINGS,
     equilibrated,
     independent_columns,
     least_step,
@@ -157,6 +159,31 @@ def _refined(
     return z
 
 
+def _unwound(
+    bounded: Callable[[np.ndarray], np.ndarray],
+    slopes: Callable[[np.ndarray], np.ndarray],
+    z: np.ndarray,
+    guess: np.ndarray,
+) -> np.ndarray:
+    """Take whole revolutions from a solution, as many as bring it nearer to the guess.
+
+    Steps of a search are long where bodies are in line. A coordinate counts as an angle if the
+    residuals remain as they are, to rounding: others, such as gears, are not changed.
+    """
+    far = np.flatnonzero(np.abs(z - guess) > np.pi)
+    if not far.size:
+        return z
+    residual, rounding = np.split(bounded(z), 2)
+    allowed = np.abs(residual) + ROUNDINGS * ROUNDING * (rounding + np.abs(slopes(z)) @ np.abs(z))
+    for k in far:
+        nearer = z.copy()
+        nearer[k] -= 2.0 * np.pi * np.round((z[k] - guess[k]) / (2.0 * np.pi))
+        values, bounds = np.split(bounded(nearer), 2)
+        if (np.abs(values) <= allowed + ROUNDINGS * ROUNDING * bounds).all():
+            z = _refined(bounded, slopes, nearer)
+    return z
+
+
 def _solve_coordinates(
     problem: Problem,
     coordinates: list[int],
@@ -173,6 +200,9 @@ def _solve_coordinates(
         state = x.copy()
         state[coordinates] = z
         return state
+
+    def bounded_at(z: np.ndarray) -> np.ndarray:
+        return value(bounded, placed(z))
 
     def slopes_at(z: np.ndarray) -> np.ndarray:
         gradient = value(model.compiled_jacobian("holonomic", "x"), placed(z))
@@ -191,19 +221,21 @@ def _solve_coordinates(
     if callable(given_jac := root_kwargs.get("jac")):
         root_kwargs["jac"] = lambda w: np.asarray(given_jac(w * units)) * units / terms[:, None]
     solution = scipy.optimize.root(
-        lambda w: value(bounded, placed(w * units))[:size] / terms,
+        lambda w: bounded_at(w * units)[:size] / terms,
         x[coordinates] / units,
         **root_kwargs,
     )
-    solution.x = solution.x * units
-    residual, rounding = np.split(value(bounded, placed(solution.x)), 2)
+    z = solution.x * units
+    residual, rounding = np.split(bounded_at(z), 2)
     met = within_rounding(residual, rounding)
     if solution.success and not met:
-        solution.x = _refined(lambda z: value(bounded, placed(z)), slopes_at, solution.x)
-        residual, rounding = np.split(value(bounded, placed(solution.x)), 2)
+        z = _refined(bounded_at, slopes_at, z)
+        residual, rounding = np.split(bounded_at(z), 2)
         # The bounds do not include errors of Python functions.
         met = bool((np.abs(residual) <= HALF * rounding).all())
-    x[coordinates] = solution.x
+    if met:
+        z = _unwound(bounded_at, slopes_at, z, x[coordinates])
+    x[coordinates] = z
     if not met:
         names = [definition.states[k] for k in coordinates]
         warn_user(

@@ -343,10 +343,10 @@ def _assemble(visuals: Sequence[Visual], placed: Placement, motion: SceneMotion)
     colours: dict[str, str] = {}
     scales = _scales(visuals, placed, size)
     items, arrows = [], 0
-    reaches = _reaches(visuals, placed)
+    arms = _arms(visuals, placed)
     for visual in visuals:
-        far = reaches.get(id(visual.body), 0.0)
-        shape = visual.shape or default_shape(visual.body, first, size, far, alone)
+        own_arms = arms.get(id(visual.body), ())
+        shape = visual.shape or default_shape(visual.body, first, size, own_arms, alone)
         shape = _suited(shape.measured(constants), size)
         if shape.colour is None:
             colour = colours.setdefault(visual.name, CYCLE[len(colours) % len(CYCLE)])
@@ -409,16 +409,15 @@ def _suited(shape: Shape, size: float) -> Shape:
     return shape
 
 
-def _reaches(visuals: Sequence[Visual], placed: Placement) -> dict[int, float]:
-    """Return the distances to which the bars of bodies reach from their mass centres."""
-    reaches: dict[int, float] = {}
+def _arms(visuals: Sequence[Visual], placed: Placement) -> dict[int, list[np.ndarray]]:
+    """Return the vectors from the mass centres of bodies to the ends of their bars."""
+    arms: dict[int, list[np.ndarray]] = {}
     for visual in visuals:
         if visual.body is not None and isinstance(visual.shape, Bar):
             centre = placed.positions[visual.point][0]
-            ends = (placed.positions[p][0] - centre for p in visual.shape.points)
-            far = max(float(np.linalg.norm(end)) for end in ends)
-            reaches[id(visual.body)] = max(reaches.get(id(visual.body), 0.0), far)
-    return reaches
+            ends = [placed.positions[p][0] - centre for p in visual.shape.points]
+            arms.setdefault(id(visual.body), []).extend(ends)
+    return arms
 
 
 def _size(placed: Placement) -> tuple[float, bool]:

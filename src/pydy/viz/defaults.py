@@ -14,7 +14,7 @@ from sympy.physics.vector import ReferenceFrame, Vector
 from pydy._checks import listed, real_array, shown
 from pydy._expressions import parts_of
 from pydy._mechanics import FrameTree, find_symbols, replace_symbols
-from pydy._rank import DIGITS, HALF
+from pydy._rank import DIGITS, HALF, rank
 from pydy.viz.outlines import Outline
 from pydy.viz.shapes import (
     Arrow,
@@ -48,7 +48,7 @@ def default_shape(
     body: Body,
     values: Mapping[SymbolOrName, float],
     size: float,
-    reach: float = 0.0,
+    arms: Sequence[np.ndarray] = (),
     alone: bool = True,
 ) -> Shape:
     """Return the simplest solid with a body's inertia, or a ball for a particle.
@@ -64,12 +64,14 @@ def default_shape(
         the body turns.
     size : float
         That of the scene.
-    reach : float, optional
-        The distance from the mass centre to the farthest point of the body, of which bars are
-        drawn. The solid is then drawn only if it is small beside that.
+    arms : sequence of ndarray, shape (3,), optional
+        From the mass centre to the ends of the bars that are drawn of the body. A solid that is
+        not small beside the longest one is not drawn, or it would hide the mechanism; but where
+        the arms span space, as those of a satellite do, it is drawn smaller.
     alone : bool, optional
         Whether no distance between points of the scene is known.
     """
+    reach = max((float(np.linalg.norm(arm)) for arm in arms), default=0.0)
     ball = Sphere(BALL * size)
     if not isinstance(body, RigidBody):
         return ball
@@ -86,10 +88,7 @@ def default_shape(
         mass = 12 * max(moments) / (0.4 * size) ** 2
     if not mass > 0 or not max(moments) > 0 or not np.isfinite(moments).all():
         return joint if reach else ball
-    # I_x = m (y² + z²) / 12 and so on: I_y + I_z − I_x = m x² / 6.
-    ix, iy, iz = moments
-    squares = [iy + iz - ix, iz + ix - iy, ix + iy - iz]
-    if min(squares) < -DIGITS * max(moments):
+    if sum(moments) - 2 * max(moments) < -DIGITS * max(moments):
         # No solid has such an inertia: it is one for motion in a plane, without a size.
         if reach:
             return joint
@@ -98,14 +97,13 @@ def default_shape(
         if not alone:
             radius = min(radius, PLATE * size)
         return Cylinder(2 * _THINNEST * radius, radius, "xyz"[axis])
-    solid = _round_shape(moments, mass)
-    if solid is None:
-        edges = [float(np.sqrt(max(6 * s / mass, 0.0))) for s in squares]
-        solid = Box(*(max(edge, _THINNEST * max(edges)) for edge in edges))
-    corners = surface(solid)[0]
-    if reach and float(np.linalg.norm(corners, axis=1).max()) > _COMPACT * reach:
+    solid, radius = _solid(moments, mass)
+    if not reach or radius <= _COMPACT * reach:
+        return solid
+    if rank(np.array(arms)) < 3:
         return joint
-    return solid
+    smaller = (_COMPACT * reach / radius) ** 2
+    return _solid([smaller * moment for moment in moments], mass)[0]
 
 
 def inertial_lengths(
@@ -158,7 +156,17 @@ def _are(lengths: Mapping[str, sm.Expr], shape: Shape, numbers: Mapping[AnySymbo
     return all(abs(v - getattr(shape, n)) <= DIGITS * abs(v) for n, v in values.items())
 
 
-def _round_shape(moments: list[float], mass: float) -> Shape | None:
+def _solid(moments: Sequence[float], mass: float) -> tuple[Shape, float]:
+    """Return the solid of uniform density with these moments, and the radius that it fills."""
+    solid = _round_shape(moments, mass)
+    if solid is None:
+        # I_x = m (y² + z²) / 12 and so on: I_y + I_z − I_x = m x² / 6.
+        edges = np.sqrt(np.maximum(6 * (sum(moments) - 2 * np.array(moments)) / mass, 0.0))
+        solid = Box(*np.maximum(edges, _THINNEST * edges.max()).tolist())
+    return solid, float(np.linalg.norm(surface(solid)[0], axis=1).max())
+
+
+def _round_shape(moments: Sequence[float], mass: float) -> Shape | None:
     """Return the sphere or cylinder of uniform density with these moments, or None for a box."""
     greatest = max(moments)
     if np.ptp(moments) <= DIGITS * greatest:
