@@ -19,18 +19,16 @@ from typing import TYPE_CHECKING, Any, Protocol, TypeAlias
 
 import numpy as np
 
+from pydy._axes import Units, axes_of, rows_of_axes, typeset, units_by_name, with_unit
 from pydy._checks import (
-    check_mapping,
     listed,
     one_or_more,
-    refuse_twice,
     shown,
     text,
-    unit_and_factor,
 )
 from pydy._dataset import ENERGIES, STATES
 from pydy._interpolation import detailed
-from pydy._names import label_parts, latex_of, name_of, some, text_of
+from pydy._names import name_of, some, text_of
 from pydy._optional import require
 
 if TYPE_CHECKING:
@@ -38,7 +36,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from xarray import DataArray, Dataset
 
-    from pydy._sympy_types import BySymbol, SymbolOrName
+    from pydy._sympy_types import SymbolOrName
 
 __all__ = [
     "plot_constraints", "plot_coordinates", "plot_energy", "plot_fit", "plot_outputs",
@@ -53,7 +51,6 @@ NAMES = 3  # names that fit beside an axis of the usual height; with more, only 
 # What is drawn: a trajectory (its module imports this one), a dataset, or several of these.
 Run: TypeAlias = "NamedMotion | Dataset"
 Results: TypeAlias = "Run | Sequence[Run] | Mapping[str, Run]"
-Units: TypeAlias = "BySymbol[str | tuple[str, float]] | None"
 
 
 class NamedMotion(Protocol):
@@ -85,24 +82,6 @@ class PlotCurve:
     @property
     def label(self) -> str:
         return with_unit(typeset(self.name, self.latex), self.unit)
-
-
-def with_unit(label: str, unit: str) -> str:
-    return f"{label} ({unit})" if unit else label
-
-
-def typeset(name: str, latex: str) -> str:
-    """Return a LaTeX label if matplotlib's mathtext can set it, otherwise the plain name."""
-    if not latex and label_parts(name) != [name, ""]:
-        latex = latex_of(name)
-    if not latex:
-        return name.replace("$", r"\$")
-    parser = require("matplotlib.mathtext", "plot", "pydy.plot").MathTextParser("path")
-    try:
-        parser.parse(f"${latex}$")
-    except ValueError:
-        return name.replace("$", r"\$")
-    return f"${latex}$"
 
 
 def curves_of(
@@ -160,17 +139,14 @@ def is_trajectory(result: object) -> bool:
 
 def units_of(result: object, units: Units) -> dict[str, tuple[str, float]]:
     """Return units and factors by the names in a result; other keys, such as rates, stay."""
-    units_by_name, names, states = {}, [], names_in(result, STATES)
-    for key, unit in check_mapping("units", units).items():
+
+    def name_of_key(key: SymbolOrName) -> str:
         try:
-            name = name_in(result, key)
+            return name_in(result, key)
         except KeyError:
-            name = name_of(key)
-        names.append(name)
-        state = name if name.removesuffix("'") in states else ""
-        units_by_name[name] = unit_and_factor(unit, f"units[{key}]", state)
-    refuse_twice(names, "units")
-    return units_by_name
+            return name_of(key)
+
+    return units_by_name(units, names_in(result, STATES), name_of_key)
 
 
 def check_result(result: Any) -> None:
@@ -286,7 +262,7 @@ def plot_coordinates(
     --------
     >>> import numpy as np
     >>> from pydy.models import multi_mass_spring_damper
-    >>> from pydy.plot import plot_coordinates
+    >>> from pydy._axes import plot_coordinates
     >>> system = multi_mass_spring_damper(2)
     >>> x0, x1 = system.coordinates
     >>> system.initial_conditions = {x0: 1.0}
@@ -386,7 +362,7 @@ def plot_sensitivities(
     Examples
     --------
     >>> from pydy.models import multi_mass_spring_damper
-    >>> from pydy.plot import plot_sensitivities
+    >>> from pydy._axes import plot_sensitivities
     >>> system = multi_mass_spring_damper()
     >>> system.times, system.initial_conditions = [0.0, 0.5, 1.0], {'x0': 1.0}
     >>> plot_sensitivities(system.simulate(sensitivities=['m0', 'k0']), 'x0').get_ylabel()
@@ -700,18 +676,9 @@ def _place_beside_each_other(ax: Axes, axes: Sequence[Axes]) -> None:
         after.spines["right"].set_position(("outward", 72 * reach / ax.figure.dpi + AXIS_SPACING))
 
 
-def axes_of(ax: Axes | None, feature: str = "pydy.plot") -> Axes:
-    """Return the given Axes, or those of a new figure."""
-    if ax is None:
-        pyplot = require("matplotlib.pyplot", "plot", feature)
-        created: Axes = pyplot.subplots(layout="constrained")[1]
-        return created
-    if not hasattr(ax, "set_xlabel"):
-        raise TypeError(f"`ax` must be Matplotlib Axes, got {shown(ax)}.")
-    return ax
-
-
-def plot_fit(result: Any, axes: np.ndarray | None = None) -> np.ndarray:
+def plot_fit(
+    result: Any, axes: np.ndarray | None = None, *, units: Units = None, time_unit: str = ""
+) -> np.ndarray:
     """Plot measured and fitted quantities, with the residuals below.
 
     Parameters
@@ -721,6 +688,8 @@ def plot_fit(result: Any, axes: np.ndarray | None = None) -> np.ndarray:
     axes : ndarray of Axes, shape (2 q, trials), optional
         For each of the q measured quantities a row of samples and motions, and below it one of
         residuals; a new figure's by default.
+    units, time_unit
+        As for `plot_coordinates`.
 
     Returns
     -------
@@ -731,7 +700,7 @@ def plot_fit(result: Any, axes: np.ndarray | None = None) -> np.ndarray:
     >>> import numpy as np
     >>> from pydy.analysis import Trial
     >>> from pydy.models import multi_mass_spring_damper
-    >>> from pydy.plot import plot_fit
+    >>> from pydy._axes import plot_fit
     >>> system = multi_mass_spring_damper()
     >>> times = np.linspace(0.0, 10.0, num=101)
     >>> swing = np.exp(-0.1 * times) * np.cos(np.sqrt(3.99) * times)
@@ -754,6 +723,8 @@ def plot_fit(result: Any, axes: np.ndarray | None = None) -> np.ndarray:
     flat, _ = rows_of_axes(axes, shape[0] * shape[1], "quantity, its residuals and trial")
     grid = np.array([*flat.ravel()] if isinstance(flat, np.ndarray) else [*flat], dtype=object)
     grid = grid.reshape(shape)
+    by_name = units_by_name(units, result.measured_states)
+    time_label = with_unit("time", text(time_unit, "`time_unit`"))
     for column, (times, measured, fitted, residuals, label) in enumerate(
         zip(result.times, result.measured, result.fitted, result.residuals, result.labels,
             strict=True)
@@ -764,37 +735,19 @@ def plot_fit(result: Any, axes: np.ndarray | None = None) -> np.ndarray:
                 upper.set_visible(False)
                 lower.set_visible(False)
                 continue
-            upper.plot(times, measured[name], ".", markersize=4, color="0.6", label="measured")
-            finite = np.isfinite(fitted[name])
-            upper.plot(times[finite], fitted[name][finite], linewidth=1.2, label="fitted")
-            upper.set_ylabel(typeset(name, ""))
+            unit, factor = by_name.get(name, ("", 1.0))
+            samples, motion = factor * measured[name], factor * fitted[name]
+            upper.plot(times, samples, ".", markersize=4, color="0.6", label="measured")
+            finite = np.isfinite(motion)
+            upper.plot(times[finite], motion[finite], linewidth=1.2, label="fitted")
+            upper.set_ylabel(with_unit(typeset(name, ""), unit))
             lower.axhline(0.0, color="0.7", linewidth=0.8)
-            lower.plot(times, residuals[name], ".", markersize=3)
-            lower.set_ylabel("residual")
+            lower.plot(times, factor * residuals[name], ".", markersize=3)
+            lower.set_ylabel(with_unit("residual", unit))
             if name == next(iter(measured)):
                 upper.set_title(label)
                 upper.legend()
             if name == [*measured][-1]:
-                lower.set_xlabel("time")
+                lower.set_xlabel(time_label)
                 lower.tick_params(labelbottom=True)
     return grid
-
-
-def rows_of_axes(
-    axes: Any, count: int, description: str, feature: str = "a plot", **figure: object
-) -> tuple[Any, list[Axes]]:
-    """Return the given Axes, or those of a new figure in one column, and a list of them."""
-    if axes is None:
-        options = {"sharex": True, "squeeze": False, "layout": "constrained", **figure}
-        axes = require("matplotlib.pyplot", "plot", feature).subplots(count, **options)[1][:, 0]
-    flat = axes.ravel() if isinstance(axes, np.ndarray) else axes
-    rows = [axes] if hasattr(axes, "set_xlabel") else [*listed("axes", flat, "Matplotlib Axes")]
-    if len(rows) != count:
-        raise ValueError(
-            f"`axes` must be {count}, one for each {description}, got {len(rows)}. Pass "
-            f"plt.subplots({count})[1], or leave it out."
-        )
-    for ax in rows:
-        if not hasattr(ax, "set_xlabel"):
-            raise TypeError(f"`axes` must be Matplotlib Axes, got {shown(ax)} among them.")
-    return axes, rows

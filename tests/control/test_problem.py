@@ -1070,6 +1070,12 @@ def test_states_are_plotted_with_their_bounds(mass):
     times, values = second.lines[0].get_data()
     assert np.array_equal(values, solution.at(times)[v])
     assert set(second.lines[1].get_ydata()) == {1.2}
+    _, second = solution.plot_states(units={v: ("km/h", 3.6), x: "m"}, time_unit="s")
+    assert (second.get_ylabel(), second.get_xlabel()) == ("v (km/h)", "time (s)")
+    assert np.array_equal(second.lines[0].get_ydata(), 3.6 * values)
+    assert set(second.lines[1].get_ydata()) == {3.6 * 1.2}
+    (ax,) = solution.plot_controls(units={"F": "N"})
+    assert ax.get_ylabel() == "F (N)"
     plt.close("all")
 
 

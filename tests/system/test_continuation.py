@@ -159,6 +159,11 @@ def test_branches_go_into_xarray_and_pictures():
     assert branch.to_xarray()["theta"].dims == ("point",)
     ax = branch.plot("theta")
     assert (ax.get_xlabel(), ax.get_ylabel()) == (r"$\Omega$", r"$\theta$")
+    ax = branch.plot("theta", units={angle: ("deg", 180 / np.pi), "Omega": "rad/s"})
+    assert (ax.get_xlabel(), ax.get_ylabel()) == (r"$\Omega$ (rad/s)", r"$\theta$ (deg)")
+    assert ax.lines[0].get_ydata()[0] == branch["theta"][0] * 180 / np.pi
+    with pytest.raises(ValueError, match="a label for values that are in radians"):
+        branch.plot("theta", units={"theta": "deg"})
     system.initial_conditions = {angle: 1.0}
     raised = system.follow_equilibria({turn: [8.0, 1.0]})
     np.testing.assert_allclose(

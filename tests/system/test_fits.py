@@ -635,6 +635,14 @@ def test_measured_and_fitted_are_plotted_with_residuals(oscillator):
     np.testing.assert_array_equal(axes[1, 0].lines[1].get_ydata(), result.residuals[0]["x0"])
     assert [axes[0, 0].get_title(), axes[2, 1].get_title()] == ["trial 0", "b"]
     assert [axes[1, 0].get_xlabel(), axes[3, 1].get_xlabel()] == ["time", "time"]
+    axes = plot_fit(result, units={"x0": ("mm", 1000), "v0": "m/s"}, time_unit="s")
+    labels = [axes[0, 0].get_ylabel(), axes[1, 0].get_ylabel(), axes[1, 0].get_xlabel()]
+    assert labels == ["$x_{0}$ (mm)", "residual (mm)", "time (s)"]
+    for line, table in zip(axes[:2, 0], (result.measured, result.residuals), strict=True):
+        drawn = line.lines[line is axes[1, 0]].get_ydata()
+        np.testing.assert_array_equal(drawn, 1000 * table[0]["x0"])
+    with pytest.raises(ValueError, match=r"`units\[x0\]` is 'deg', a label"):
+        plot_fit(result, units={"x0": "deg"})
     given = plt.subplots(4, 2)[1]
     assert (plot_fit(result, given) == given).all()
     with pytest.raises(ValueError, match="must be 8, one for each quantity, its residuals and tr"):

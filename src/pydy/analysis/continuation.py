@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pydy._axes import axes_of, typeset, units_by_name, with_unit
 from pydy._forks import cached_property
 from pydy._names import name_of, place_of
 from pydy._optional import require
@@ -27,11 +28,11 @@ from pydy.analysis.tuning import (
     ZERO_EIGENVALUE_FACTOR,
     ZERO_REAL_PART,
 )
-from pydy.plot import axes_of, typeset
 
 if TYPE_CHECKING:
     from xarray import Dataset
 
+    from pydy._axes import Units
     from pydy._sympy_types import SymbolOrName
 
 Function = Callable[[np.ndarray], np.ndarray]
@@ -129,29 +130,42 @@ class EquilibriumBranch:
         )
         return dataset
 
-    def plot(self, name: SymbolOrName, ax: Any = None) -> Any:
-        """Plot an unknown over the parameter, dashed where unstable; return the Axes."""
+    def plot(self, name: SymbolOrName, ax: Any = None, *, units: Units = None) -> Any:
+        """Plot an unknown over the parameter, dashed where unstable; return the Axes.
+
+        Parameters
+        ----------
+        name : symbol or str
+            The unknown.
+        ax : matplotlib Axes, optional
+        units : mapping of symbols or str to str or (str, float), optional
+            Units of the unknown and of the parameter, as for `pydy.plot.plot_coordinates`.
+        """
         name = self.unknowns[place_of(name, self.unknowns, "unknowns")]
-        ax, solution, stable, start = axes_of(ax, "a plot"), self[name], self.stable, 0
-        m = len(self.values)
+        by_name = units_by_name(units, self.unknowns)
+        unit, factor = by_name.get(name, ("", 1.0))
+        parameter_unit, parameter_factor = by_name.get(self.parameter, ("", 1.0))
+        values, solution = parameter_factor * self.values, factor * self[name]
+        ax, stable, start = axes_of(ax, "a plot"), self.stable, 0
+        m = len(values)
         for k in range(1, m + 1):
             if k == m or stable[k] != stable[start]:
                 run = slice(start, min(k + 1, m))
                 style = "-" if stable[start] else "--"
-                ax.plot(self.values[run], solution[run], color="C0", linestyle=style)
+                ax.plot(values[run], solution[run], color="C0", linestyle=style)
                 start = k
         labels: dict[tuple[float, float], list[str]] = {}
-        near = HALF * np.array([np.ptp(self.values), np.ptp(solution)])
+        near = HALF * np.array([np.ptp(values), np.ptp(solution)])
         for p in self.special:  # a fold may be a branch point, too: one label says both
-            at = p.value, p.values[name]
+            at = parameter_factor * p.value, factor * p.values[name]
             drawn = (d for d in labels if (np.abs(np.subtract(d, at)) <= near).all())
             labels.setdefault(next(drawn, at), []).append(p.kind)
         for at, kinds in labels.items():
             label = ", ".join(dict.fromkeys(kinds))
             ax.plot(*at, "o", color="C3", markersize=4)
             ax.annotate(label, at, textcoords="offset points", xytext=(4, 4), fontsize="small")
-        ax.set_xlabel(typeset(self.parameter, ""))
-        ax.set_ylabel(typeset(name, ""))
+        ax.set_xlabel(with_unit(typeset(self.parameter, ""), parameter_unit))
+        ax.set_ylabel(with_unit(typeset(name, ""), unit))
         return ax
 
 

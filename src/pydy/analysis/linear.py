@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pydy._axes import axes_of, rows_of_axes, typeset
 from pydy._checks import choice, one_or_more, real_array
 from pydy._errors import warn_user
 from pydy._judges import (
@@ -36,7 +37,6 @@ from pydy._states import EvaluationPoints
 from pydy.analysis.equilibria import Equilibrium
 from pydy.analysis.tuning import ZERO_REAL_PART
 from pydy.analysis.unsteadiness import departure_that_changes_the_model
-from pydy.plot import axes_of, rows_of_axes, typeset
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike

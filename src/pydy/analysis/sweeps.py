@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import scipy
 
+from pydy._axes import axes_of, typeset, with_unit
 from pydy._optional import require
 from pydy._rank import ROUNDED
 from pydy.analysis.linear import complex_plane
@@ -21,7 +22,6 @@ from pydy.analysis.tuning import (
     ZERO_EIGENVALUE_FACTOR,
     ZERO_REAL_PART,
 )
-from pydy.plot import axes_of, typeset, with_unit
 
 if TYPE_CHECKING:
     from xarray import Dataset

@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 
+from pydy._axes import axes_of, rows_of_axes, typeset, units_by_name, with_unit
+from pydy._checks import text
 from pydy._forks import cached_property
 from pydy._names import table_of, unique_names
 from pydy._problem import Problem, TrajectoryModel, with_settings
@@ -20,12 +22,12 @@ from pydy.control.nlp import Nlp
 from pydy.control.transcription import Transcription
 from pydy.control.tuning import INPUT_SAMPLES, JUMP, PLOTTED
 from pydy.inputs import SampledInput
-from pydy.plot import axes_of, rows_of_axes, typeset
 from pydy.trajectory import Columns, Trajectory
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
+    from pydy._axes import Units
     from pydy._sympy_types import AnySymbol
 
 _STUCK = (INFEASIBLE, 3, -1, -2, -3)  # statuses of a search that could make no more progress
@@ -234,13 +236,21 @@ class OptimalTrajectory(Trajectory):
             f"{self.error.sum():.2g} in all",
         ])  # fmt: skip
 
-    def plot_controls(self, axes: Axes | Sequence[Axes] | None = None) -> Axes | Sequence[Axes]:
+    def plot_controls(
+        self,
+        axes: Axes | Sequence[Axes] | None = None,
+        *,
+        units: Units = None,
+        time_unit: str = "",
+    ) -> Axes | Sequence[Axes]:
         """Plot the controls over time, dashed their bounds, and the nodes; return the Axes.
 
         Parameters
         ----------
         axes : Axes or sequence of Axes, optional
             One for each control.
+        units, time_unit
+            As for `pydy.plot.plot_coordinates`.
         """
         if not self.controls:
             raise ValueError("The motion has no controls to plot.")
@@ -251,15 +261,23 @@ class OptimalTrajectory(Trajectory):
             times = inputs[symbol].breaks
             limits = [(times, side(times / self.duration)) for side in sides]
             curves.append((times, inputs[symbol].rows(times)[:, 0], limits))
-        return self._plotted(axes, self.controls, curves)
+        return self._plotted(axes, self.controls, curves, units, time_unit)
 
-    def plot_states(self, axes: Axes | Sequence[Axes] | None = None) -> Axes | Sequence[Axes]:
+    def plot_states(
+        self,
+        axes: Axes | Sequence[Axes] | None = None,
+        *,
+        units: Units = None,
+        time_unit: str = "",
+    ) -> Axes | Sequence[Axes]:
         """Plot the states over time, dashed their bounds, and the nodes; return the Axes.
 
         Parameters
         ----------
         axes : Axes or sequence of Axes, optional
             One for each state.
+        units, time_unit
+            As for `pydy.plot.plot_coordinates`.
         """
         transcription = self._transcription
         slot_times, slopes = transcription.state_slots
@@ -273,26 +291,31 @@ class OptimalTrajectory(Trajectory):
         values = transcription.states_at(self.solution.z, times).T
         rows = zip(values, *sides, strict=True)
         curves = [(times, row, [(at, low), (at, high)]) for row, low, high in rows]
-        return self._plotted(axes, self._states, curves)
+        return self._plotted(axes, self._states, curves, units, time_unit)
 
     def _plotted(
         self,
         axes: Axes | Sequence[Axes] | None,
         symbols: Sequence[AnySymbol],
         curves: Sequence[_Curve],
+        units: Units,
+        time_unit: str,
     ) -> Axes | Sequence[Axes]:
         """Plot times and values with their limits, each in its Axes."""
         names = unique_names(symbols)
+        by_name = units_by_name(units, unique_names(self._states))
+        time_label = with_unit("time", text(time_unit, "`time_unit`"))
         axes, rows = rows_of_axes(axes, len(names), f"of {', '.join(names)}")
         for ax, name, (times, values, limits) in zip(rows, names, curves, strict=True):
-            ax.plot(times, values)
+            unit, factor = by_name.get(name, ("", 1.0))
+            ax.plot(times, factor * values)
             for at, limit in limits:
                 if len(limit) and np.isfinite(limit).all():
-                    ax.plot(at, limit, "--", color="0.5", linewidth=0.8)
+                    ax.plot(at, factor * limit, "--", color="0.5", linewidth=0.8)
             ax.plot(self.mesh, np.zeros_like(self.mesh), "|", color="0.6",
                     transform=ax.get_xaxis_transform())  # fmt: skip
-            ax.set_xlabel("time")
-            ax.set_ylabel(typeset(name, ""))
+            ax.set_xlabel(time_label)
+            ax.set_ylabel(with_unit(typeset(name, ""), unit))
         return axes
 
     def plot_error(self, ax: Axes | None = None) -> Axes:

@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import sympy as sm
 
+from pydy._axes import axes_of
 from pydy._checks import number, positive, real_array, shown
 from pydy._errors import warn_user
 from pydy._rank import HALF
-from pydy.plot import axes_of
 from pydy.system import System
 from pydy.vehicles.largest_acceleration import LargestAcceleration
 from pydy.vehicles.quasi_steady import QuasiSteadyStates

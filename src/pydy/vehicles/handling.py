@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pydy._axes import axes_of, rows_of_axes
 from pydy._checks import instance, real_array, shown
-from pydy.plot import axes_of, rows_of_axes
 from pydy.vehicles.cars import SingleTrackCar
 
 if TYPE_CHECKING:

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import sympy as sm
 
+from pydy._axes import axes_of
 from pydy._checks import choice, instance, number, positive
-from pydy.plot import axes_of
 from pydy.system import System
 from pydy.vehicles.manoeuvres import (
     check_name,

@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pydy._axes import axes_of
 from pydy._checks import text
 from pydy._forks import cached_property
 from pydy.inputs import SampledInput
-from pydy.plot import axes_of
 from pydy.trajectory import Trajectory
 from pydy.vehicles.manoeuvres import check_name, names_of
 from pydy.vehicles.track import Track

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pydy._axes import axes_of, with_unit
 from pydy._checks import (
     instance,
     number,
@@ -21,7 +22,6 @@ from pydy._checks import (
 from pydy._errors import EquilibriumError, warn_user
 from pydy._names import some
 from pydy._rank import HALF
-from pydy.plot import axes_of, with_unit
 from pydy.system import System
 
 if TYPE_CHECKING:

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pydy._axes import axes_of
 from pydy._checks import choice, number, positive, real_array, shown
-from pydy.plot import axes_of
 from pydy.vehicles.algebra import is_symbolic
 from pydy.vehicles.forces import Tire, TireForces
 

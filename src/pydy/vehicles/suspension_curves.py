@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pydy._axes import axes_of
 from pydy._checks import number, positive, real_array, shown
 from pydy._rank import HALF, ROUNDED
-from pydy.plot import axes_of
 from pydy.vehicles.hard_points import HardPoints, Hinge
 from pydy.vehicles.tuning import POSITIONS_PER_ARM
 

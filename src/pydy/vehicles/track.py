@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING, Any, Self
 
 import numpy as np
 
+from pydy._axes import axes_of
 from pydy._checks import flag, number, positive, real_array, shown
 from pydy._rank import ROUNDED
 from pydy.inputs import SampledInput
-from pydy.plot import axes_of
 from pydy.vehicles.center_line import DEGREE, CenterLine, SegmentLine, SplineLine
 
 if TYPE_CHECKING:

@@ -13,16 +13,16 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import scipy
 
+from pydy._axes import rows_of_axes, typeset
 from pydy._checks import number
 from pydy._errors import warn_user
-from pydy._names import few, place_of, some, table_of
+from pydy._names import few, name_of, place_of, some, table_of
 from pydy._optional import require
 from pydy._problem import FIT, warn_of_contradictions
 from pydy._rank import HALF, or_one
 from pydy.analysis.directions import direction_text
 from pydy.analysis.fits.residuals import autocorrelation, text_of_correlation
 from pydy.analysis.tuning import NAMED_IN_FIT, NOISE_TOLERANCE_FACTOR
-from pydy.plot import rows_of_axes, typeset
 
 if TYPE_CHECKING:
     import pandas
@@ -73,6 +73,8 @@ class FitResult:
         What the fit warned of.
     noise_given : bool
         Whether the trials gave the standard deviation of the noise; `noise` is a ratio then.
+    measured_states : tuple of str
+        Those of the measured quantities that are states of the System.
     """
 
     names: tuple[str, ...]
@@ -93,6 +95,7 @@ class FitResult:
     labels: tuple[str, ...] = ()
     warnings: tuple[str, ...] = ()
     noise_given: bool = False
+    measured_states: tuple[str, ...] = ()
 
     def __getitem__(self, parameter: SymbolOrName) -> float:
         """Return an estimate, by symbol or name."""
@@ -330,6 +333,7 @@ def result_of(problem: FitProblem, minimum: Minimum) -> FitResult:
     for group in ("constants", "states", "specifieds"):
         estimates = {s: v for (kind, s), v in shared if kind == group}
         warn_of_contradictions(problem.base, group, estimates, "The estimate of ")
+    names_of_states = {name_of(s) for s in problem.base.definition.states}
     return FitResult(
         names=names,
         estimates=z[:k].copy(),
@@ -349,6 +353,7 @@ def result_of(problem: FitProblem, minimum: Minimum) -> FitResult:
         labels=tuple(d.label for d in problem.trials),
         warnings=tuple(messages),
         noise_given=not problem.noise_is_estimated,
+        measured_states=tuple(names_of_states & {n for d in problem.trials for n in d.names}),
     )
 
 
