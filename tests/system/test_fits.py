@@ -1028,6 +1028,16 @@ def test_noise_with_a_memory_is_not_smooth():
     assert not is_smooth(remembering, autocorrelation(remembering)[0])
 
 
+def swing_from(x, times):
+    """Return the horizontal positions of a pendulum of length 1 with g = 9.81, released at x."""
+
+    def rates(_, state):
+        return [state[1], -9.81 * np.sin(state[0])]
+
+    span, start = (times[0], times[-1]), [np.arcsin(x), 0.0]
+    return np.sin(solve_ivp(rates, span, start, t_eval=times, rtol=1e-11, atol=1e-12).y[0])
+
+
 def test_a_trial_does_not_start_where_the_constraints_replace_its_initial_conditions():
     x, y, v, w = me.dynamicsymbols("x y v w")
     g, frame, origin = sm.Symbol("g"), me.ReferenceFrame("N"), me.Point("O")
@@ -1041,15 +1051,35 @@ def test_a_trial_does_not_start_where_the_constraints_replace_its_initial_condit
     system.initial_conditions = {x: 0.6, y: -0.8}
     system.set_dependent_initial_conditions([y, w])
     times = np.linspace(0.0, 1.0, num=11)
-
-    def rates(_, state):
-        return [state[1], -9.81 * np.sin(state[0])]
-
-    start = [np.arcsin(0.28), 0.0]
-    angles = solve_ivp(rates, (0.0, 1.0), start, t_eval=times, rtol=1e-11, atol=1e-12).y[0]
-    data = {"x": np.sin(angles)}
+    data = {"x": swing_from(0.28, times)}
     with pytest.raises(ValueError, match=r"trial 0` has y\(t\), but the .* solved for y\(t\), w"):
         system.fit([g], Trial(times, data, initial_conditions={y: -0.96}))
     for values in ({x: 0.28}, {x: 0.28, y: -0.96}):
+        result = system.fit([g], Trial(times, data, initial_conditions=values))
+        np.testing.assert_allclose(result.estimates, [9.81], rtol=1e-6)
+
+
+def test_an_independent_coordinate_of_another_loop_does_not_determine_a_dependent_one():
+    """Two bobs on rods: the first started at the System's own y, and g was 8.05 for 9.81."""
+    x, y, a, b = coordinates = me.dynamicsymbols("x y a b")
+    g, frame, origin = sm.Symbol("g"), me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    first = origin.locatenew("P", x * frame.x + y * frame.y)
+    second = origin.locatenew("Q", a * frame.x + b * frame.y)
+    definition = Definition(
+        frame, coordinates,
+        bodies=[me.Particle("p", first, 1), me.Particle("q", second, 1)],
+        loads=[(first, -g * frame.y), (second, -g * frame.y)],
+        holonomic_constraints=[x**2 + y**2 - 1, a**2 + b**2 - 4],
+    )  # fmt: skip
+    system = System(definition, {g: 9.0}, ode_solver="dop853")
+    system.initial_conditions = {x: 0.6, y: -0.8, a: 1.2, b: -1.6}
+    rates = [s for s in system.states if s not in coordinates]
+    system.set_dependent_initial_conditions([y, b, rates[1], rates[3]])
+    times = np.linspace(0.0, 1.0, num=11)
+    data = {"x": swing_from(0.28, times)}
+    with pytest.raises(ValueError, match=r"trial 0` has y\(t\), but the .* solved for"):
+        system.fit([g], Trial(times, data, initial_conditions={y: -0.96, a: 1.1}))
+    for values in ({x: 0.28, a: 1.1}, {x: 0.28, y: -0.96, a: 1.2, b: -1.6}):
         result = system.fit([g], Trial(times, data, initial_conditions=values))
         np.testing.assert_allclose(result.estimates, [9.81], rtol=1e-6)

@@ -31,7 +31,8 @@ from pydy._problem import (
     with_settings,
     with_unknowns,
 )
-from pydy._states import located, with_dependents
+from pydy._rank import DIGITS
+from pydy._states import consistent, located, with_dependents
 from pydy.analysis.bounds import limits
 from pydy.analysis.fits.samples import TrialSamples, checked_trial
 from pydy.analysis.fits.trial import Trial
@@ -141,21 +142,25 @@ class FitProblem:
         chosen = states.chosen(conditions, argument)
         numbers = {s: x[k] for k, s in enumerate(states.symbols) if s in chosen}
         warn_of_contradictions(base, "states", numbers, f"`{argument}` for ")
-        self._check_independent(d, numbers, argument)
+        self._check_independent(d, x, numbers, argument)
         start = with_unknowns(base.at(np.array([d.start]), x[None]), {}, base.inputs.rows)
         return dict(zip(states.symbols, start.x[0].tolist(), strict=True))
 
     def _check_independent(
-        self, d: TrialSamples, numbers: Mapping[AnySymbol, float], argument: str
+        self, d: TrialSamples, x: np.ndarray, numbers: Mapping[AnySymbol, float], argument: str
     ) -> None:
         """Refuse coordinates, or speeds, that the constraints replace by those of the System."""
         base, count = self.base, len(self.base.definition.equations.coordinates)
         states = base.definition.states
-        chosen = {*numbers, *d.unknown, *(symbol for _, symbol in self.shared)}
+        unknown = {*d.unknown, *(symbol for kind, symbol in self.shared if kind == "states")}
+        chosen = {*numbers, *unknown}
         for part in (range(count), range(count, len(states))):
             named = [k for k in part if states[k] in chosen]
             new = [k for k in named if k in base.dependent and numbers.get(states[k]) != base.x[k]]
-            if new and all(k in base.dependent for k in named):
+            if not all(k in base.dependent for k in named):
+                # Those that are named may be of another loop. Unknown ones are not solved for yet.
+                new = [] if unknown else _replaced(base, x, new)
+            if new:
                 raise ValueError(
                     f"`{argument}` has {describe([states[k] for k in new])}, but the constraints "
                     f"are solved for {describe(self.dependents)}. Give independent ones, or call "
@@ -337,3 +342,17 @@ def _mean_and_deviation(value: object, subject: str) -> tuple[float, float]:
             f"{shown(value)}."
         )
     return float(numbers[0]), float(numbers[1])
+
+
+def _replaced(base: Problem, x: np.ndarray, states: Sequence[int]) -> list[int]:
+    """Return those states that the constraints solve for as they do at the System's own start.
+
+    The state `x` has other numbers in their places.
+    """
+    if not states:
+        return []
+    before, after = consistent(base).x[states], consistent(base.replace(x=x)).x[states]
+    requested = x[states]
+    unchanged = np.abs(after - before) <= DIGITS * np.maximum(np.abs(after), np.abs(before))
+    different = np.abs(after - requested) > DIGITS * np.maximum(np.abs(after), np.abs(requested))
+    return [k for k, is_replaced in zip(states, unchanged & different, strict=True) if is_replaced]
