@@ -283,6 +283,24 @@ def test_what_does_not_fit_is_named(message):
         System(bead(**WRONG[message]))
 
 
+def test_the_rates_of_a_quaternion_follow_from_its_angular_velocity_and_its_length():
+    e, w = me.dynamicsymbols("e0:4"), me.dynamicsymbols("w1:4")
+    frame, body, origin = me.ReferenceFrame("N"), me.ReferenceFrame("A"), me.Point("O")
+    body.orient_quaternion(frame, e)
+    origin.set_vel(frame, 0)
+    top = me.RigidBody("top", origin, body, 1, (me.inertia(body, 1, 2, 3), origin))
+    rows = [body.ang_vel_in(frame).dot(axis) - rate for axis, rate in zip(body, w, strict=True)]
+    with pytest.raises(ValueError, match=r"quaternion, add e0\*e0' \+ e1\*e1' \+ e2\*e2' \+ e3"):
+        System(Definition(frame, e, w, bodies=[top], kinematic_equations=rows))
+    textbook = me.kinematic_equations(w, e, "quaternion")
+    state = np.array([0.1, 0.7, -0.1, 0.7, 0.3, -0.2, 0.5])
+    rates = [
+        System(Definition(frame, e, w, bodies=[top], kinematic_equations=k)).evaluate_ode(state)
+        for k in ([*rows, sum(s * s.diff() for s in e)], textbook)
+    ]
+    np.testing.assert_allclose(*rates, rtol=1e-14, atol=1e-15)
+
+
 def test_other_arguments_are_checked():
     frame, point = me.ReferenceFrame("N"), me.Point("P")
     with pytest.raises(TypeError, match=r"`frame` must be a ReferenceFrame"):

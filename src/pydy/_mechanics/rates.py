@@ -29,11 +29,15 @@ def solve_rates(
         group_rates = sorted({s for k in group for s in unknowns[k]}, key=order.__getitem__)
         rows = [equations[k] for k in group]
         if len(group_rates) != len(group):
-            raise ValueError(
+            message = (
                 f"`{argument}` must give each coordinate's derivative once: {len(rows)} equations "
                 f"hold {describe(group_rates)}. Each equation must be zero, and contain "
                 "derivatives of coordinates."
             )
+            if len(group_rates) == len(group) + 1 == 4:
+                length = " + ".join(f"{rate.expr.func}*{rate.expr.func}'" for rate in group_rates)
+                message += f" If these are a quaternion, add {length}: its length is constant."
+            raise ValueError(message)
         for numbers, columns in blocks_of(rows, group_rates):
             block = [group_rates[k] for k in columns]
             parts = [replace_symbols(rows[k], rates) for k in numbers]
