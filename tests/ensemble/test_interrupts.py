@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 from optional import optional
-from pydy.ensemble import store
+from pydy.ensemble import engine, store
 from pydy.errors import EnsembleInterrupted
 from pydy.models import multi_mass_spring_damper
 from zoo.ensemble_cases import constant, pendulum
@@ -134,6 +134,35 @@ def test_ctrl_c_ends_an_ensemble_and_keeps_the_finished_blocks(tmp_path, kind, p
         watchdog.cancel()
     status = xr.open_zarr(path, consolidated=False).status.values
     assert status.tolist() == [0, -1, -1, -1]
+
+
+def test_ctrl_c_strikes_nowhere_where_this_thread_may_have_the_lock_of_a_future(
+    monkeypatch, tmp_path
+):
+    """Raised there, it left the lock taken, and the thread that had a result waited for ever."""
+    returned = []
+
+    def struck(*arguments):
+        if not returned:
+            signal.raise_signal(signal.SIGINT)
+        returned.append(wait(*arguments))
+        return returned[-1]
+
+    wait = engine.wait
+    monkeypatch.setattr(engine, "wait", struck)
+    system = multi_mass_spring_damper()
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            system.integrate_ensemble(
+                constants={constant(system, "k0"): np.linspace(1.0, 2.0, num=4)},
+                times=[0.0, 1.0], ode_solver="radau", workers=2, chunks=1,
+                store=tmp_path / "s.zarr", resume="x",
+            )  # fmt: skip
+        assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
+    finally:
+        signal.signal(signal.SIGINT, before)
+    assert returned
 
 
 @pytest.mark.parametrize("reduce", [None, "final", lambda dataset: dataset[["x0"]].max("time")])

@@ -7,6 +7,7 @@ import sys
 import time
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, ThreadPoolExecutor, wait
+from contextlib import nullcontext
 from dataclasses import dataclass, replace
 from functools import partial
 from math import prod
@@ -19,6 +20,7 @@ import numpy as np
 from pydy._errors import EnsembleInterrupted, note_finished
 from pydy._files import path_of
 from pydy._forks import cached_property
+from pydy._interrupts import Interrupts
 from pydy._optional import progress_of, require
 from pydy._processes import LOOK
 from pydy.ensemble import store as stores
@@ -217,12 +219,18 @@ class Ensemble:
 
         The numbers of samples that are computed are passed to `report`.
         """
-        stop = Event()
-        workers = _startable(min(self._threads(), len(blocks)))
+        # A KeyboardInterrupt while this thread takes the lock of a future leaves it locked: the
+        # thread that sets its result would wait for ever. Without threads, solvers are interrupted.
+        stop, interrupts = Event(), Interrupts()
+        with interrupts:
+            workers = _startable(min(self._threads(), len(blocks)))
         most = max(1, 2 * workers)
         todo = iter(blocks)
         running: dict[Future[None], Block] = {}
-        with ThreadPoolExecutor(workers, "ensemble") if workers else _SerialExecutor() as pool:
+        with (
+            interrupts if workers else nullcontext(),
+            ThreadPoolExecutor(workers, "ensemble") if workers else _SerialExecutor() as pool,
+        ):
             try:
                 while True:
                     while len(running) < most and (block := next(todo, None)) is not None:
@@ -233,6 +241,7 @@ class Ensemble:
                         block = running.pop(future)
                         _check(future, block, self.samples)
                         report(_size(block))
+                    interrupts.check()
             finally:
                 stop.set()  # running blocks return soon
                 for future in running:
