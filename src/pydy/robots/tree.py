@@ -7,7 +7,6 @@ from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import scipy
 
 from pydy._errors import RobotFileError, warn_user
 
@@ -237,20 +236,43 @@ def cosines(rotation: np.ndarray) -> np.ndarray:
 
 def of_quaternion(quaternion: np.ndarray) -> np.ndarray:
     """Return the rotation of a nonzero quaternion, scalar part first; it is normalised."""
-    return cosines(scipy.spatial.transform.Rotation.from_quat(np.roll(quaternion, -1)).as_matrix())
+    w, *v = quaternion / np.linalg.norm(quaternion)
+    x, y, z = v
+    cross = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
+    return cosines((w * w - np.dot(v, v)) * np.eye(3) + 2.0 * (np.outer(v, v) + w * cross))
 
 
 def to_quaternion(rotation: np.ndarray) -> np.ndarray:
-    """Return the quaternion of a rotation, scalar part first."""
-    quaternion: np.ndarray = np.roll(
-        scipy.spatial.transform.Rotation.from_matrix(rotation).as_quat(), 1
-    )
-    return quaternion
+    """Return the quaternion of a rotation, scalar part first.
+
+    It is divided by its largest component, whose square is no difference of the others: S. W.
+    Shepperd, Quaternion from rotation matrix, Journal of Guidance and Control 1 (1978) 223-224.
+    """
+    products = np.empty((4, 4))  # 4 q qᵀ
+    trace = np.trace(rotation)
+    products[0, 0] = 1.0 + trace
+    products[1:, 1:] = rotation + rotation.T + (1.0 - trace) * np.eye(3)
+    products[0, 1:] = products[1:, 0] = [
+        rotation[2, 1] - rotation[1, 2],
+        rotation[0, 2] - rotation[2, 0],
+        rotation[1, 0] - rotation[0, 1],
+    ]
+    largest = np.argmax(np.roll(np.diag(products), -1))  # of those alike, x, y, z, then the scalar
+    row: np.ndarray = products[(largest + 1) % 4]
+    row /= np.linalg.norm(row)
+    return row
 
 
 def of_roll_pitch_yaw(angles: np.ndarray) -> np.ndarray:
     """Return the rotation by angles about the fixed axes x, y and z, in this order."""
-    return cosines(scipy.spatial.transform.Rotation.from_euler("xyz", angles).as_matrix())
+    rotation = np.eye(3)
+    for axis, angle in enumerate(angles):
+        turn, (j, k) = np.eye(3), ((axis + 1) % 3, (axis + 2) % 3)
+        turn[j, j] = turn[k, k] = np.cos(angle)
+        turn[k, j] = np.sin(angle)
+        turn[j, k] = -turn[k, j]
+        rotation = turn @ rotation
+    return cosines(rotation)
 
 
 def rotated_inertia(inertia: np.ndarray, rotation: np.ndarray) -> np.ndarray:
