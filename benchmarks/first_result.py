@@ -1,6 +1,6 @@
 """From the start of a process to its first result, part by part, with an empty and a full cache.
 
-Processor seconds. `libraries` are the imports of SymPy, NumPy and SciPy. With ``--before SRC``, the
+Processor seconds. `libraries` are the imports of SymPy and NumPy. With ``--before SRC``, the
 ``src`` folder of another version of the package runs in turn with this one.
 """
 
@@ -26,8 +26,8 @@ WAYS = (
     ("arm from URDF", "odeint"),
     ("closed loop", "odeint"),
 )
-PARTS = ("sympy", "numpy", "scipy", "pydy", "model", "integrate", "all")
-LIBRARIES = ("sympy", "numpy", "scipy")
+PARTS = ("sympy", "numpy", "pydy", "model", "integrate", "all")
+LIBRARIES = ("sympy", "numpy")
 
 
 def run(src: Path, model: str, solver: str, cache: str) -> dict[str, float]:

@@ -114,8 +114,6 @@ def main() -> None:
     system.times = np.linspace(0.0, 0.5, num=51)
     system.ode_solver = solver
     _mark("model")
-    _ = system.ode_solver  # SciPy's package is imported here for odeint
-    _mark("scipy")
     system.integrate()
     _mark("integrate")
     wall = time.perf_counter() - _wall

@@ -73,9 +73,10 @@ from pydy._mechanics import (
 )
 from pydy._motion import (
     SolveIvp,
-    default_solver,
     is_odeint,
     native_solver,
+    odeint,
+    public_odeint,
     resolve_ode_solver,
 )
 from pydy._names import name_of, nearest, some
@@ -322,7 +323,7 @@ class System:
         }
         method, of_events = type(self._eom_method).__name__, self._models.of_events
         definition = self._models.latest
-        return summary(definition, method, self.ode_solver, self._times, values, of_events)
+        return summary(definition, method, self._solver, self._times, values, of_events)
 
     @property
     def _definition(self) -> Definition:
@@ -702,11 +703,16 @@ class System:
         >>> system.integrate(rtol=1e-10, atol=1e-10)[:, 0]
         array([1.        , 0.65970..., 0.1505...])
         """
-        return default_solver() if self._ode_solver is None else self._ode_solver
+        return public_odeint() if self._ode_solver is None else self._ode_solver
 
     @ode_solver.setter
     def ode_solver(self, ode_solver: OdeSolver | str | None) -> None:
         self._ode_solver: OdeSolver | None = resolve_ode_solver(ode_solver)
+
+    @property
+    def _solver(self) -> OdeSolver:
+        """The solver; `odeint` without loading its package."""
+        return odeint if self._ode_solver is None else self._ode_solver
 
     @property
     def evaluate_ode_function(self) -> Any:
@@ -844,7 +850,7 @@ class System:
 
         That bar goes where the solver's own begins.
         """
-        if not isinstance(self.ode_solver, Solver):
+        if not isinstance(self._solver, Solver):
             return self._now(given.get("events"))
         with progress_of(True, " parts", desc="preparation", leave=False) as told:
             told(0, part="equations")
@@ -906,7 +912,7 @@ class System:
             The initial conditions violate the constraints by more than rounding to six digits
             explains, and `constraints` is not set.
         """
-        solver = self.ode_solver
+        solver = self._solver
         shown = solver_kwargs.get("progress") is True
         problem = self._shown(solver_kwargs) if shown else self._now(solver_kwargs.get("events"))
         full = solver_kwargs.get("full_output", False)
@@ -985,7 +991,7 @@ class System:
         motion = simulate(
             problem,
             self._times,
-            solver=self.ode_solver,
+            solver=self._solver,
             sensitivities=sensitivities,
             control_sensitivities=control_sensitivities,
             **solver_kwargs,
@@ -2325,7 +2331,7 @@ class System:
             period,
             moving=moving,
             until=until,
-            solver=native_solver(self.ode_solver),
+            solver=native_solver(self._solver),
             progress=progress,
             **solver_kwargs,
         )
@@ -2410,7 +2416,7 @@ class System:
                 "`final` or `integral` must be given: an output or an expression of states, "
                 "specifieds, constants and time."
             )
-        solver = explicit_solver(self.ode_solver)
+        solver = explicit_solver(self._solver)
         contacts = self._checked_contacts(contacts)
         if contacts is not None:
             found: AdjointGradient = contacts.gradient(wrt, final, integral, **solver_kwargs)
@@ -2536,7 +2542,7 @@ class System:
 
         self._checked_contacts(contacts)
         return fit(
-            FittedSystem(self._now(contacts=contacts), self.ode_solver),
+            FittedSystem(self._now(contacts=contacts), self._solver),
             parameters,
             trials,
             bounds=bounds,
@@ -2802,7 +2808,7 @@ class System:
         if contacts is not None:
             self._checked_contacts(contacts)
         problem = self._now(options.get("events"), contacts=contacts)
-        return LayerFunctions(problem, native_solver(self.ode_solver), options)
+        return LayerFunctions(problem, native_solver(self._solver), options)
 
     def as_jax(self, *, contacts: Contacts | None = None, **solver_kwargs: Any) -> Layer:
         """Return the equations and simulations as functions of JAX.

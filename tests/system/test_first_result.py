@@ -5,6 +5,8 @@ import sys
 
 import pytest
 
+from pydy._motion.lsoda import _compiled_module
+
 # Users load SymPy first; the modules that the first result adds are counted.
 SCRIPT = """
 import sys
@@ -53,18 +55,41 @@ def test_only_what_integrates_is_loaded(loaded):
     assert not packages & {"matplotlib", "xarray", "pandas", "PIL", "dask", "jsonschema"}
 
 
-def test_native_solvers_load_no_package_of_scipy(loaded):
+def test_solvers_load_no_package_of_scipy(loaded):
     solver, modules = loaded
-    packages = {name for name in modules if name.count(".") == 1 and name.startswith("scipy.")}
-    assert ("scipy.integrate" in packages) == (solver == "odeint")
-    if solver != "odeint":
-        assert not packages & {"scipy.linalg", "scipy.optimize", "scipy.sparse", "scipy.special"}
+    if solver == "odeint" and _compiled_module() is None:
+        pytest.skip("odeint is called by its public name in this release of SciPy")
+    packages = {name.removeprefix("scipy.") for name in modules if name.count(".") == 1}
+    assert not packages & {"integrate", "linalg", "optimize", "sparse", "special"}
+
+
+ROBOT = """
+import sys
+from pydy.robots import read
+system = read(sys.argv[1]).system()
+system.times, system.ode_solver = [0.0, 1.0], "dop853"
+system.integrate()
+print(*(name for name in sys.modules if name.startswith("scipy.")))
+"""
+URDF = """<robot name='r'><link name='a'/><link name='b'><inertial>
+<origin xyz='0 0 1' rpy='0.1 0 0'/><mass value='1'/>
+<inertia ixx='1' iyy='1' izz='1' ixy='0' ixz='0' iyz='0'/></inertial></link>
+<joint name='j' type='revolute'><parent link='a'/><child link='b'/><axis xyz='1 0 0'/>
+<limit effort='1' velocity='1'/></joint></robot>"""
+
+
+def test_a_robot_loads_no_package_of_scipy(tmp_path):
+    (tmp_path / "r.urdf").write_text(URDF, "utf-8")
+    script = [sys.executable, "-c", ROBOT, str(tmp_path / "r.urdf")]
+    done = subprocess.run(script, capture_output=True, text=True, check=True)
+    packages = {name.split(".")[1] for name in done.stdout.split()}
+    assert not packages & {"integrate", "linalg", "optimize", "sparse", "spatial", "special"}
 
 
 def test_few_modules_of_ours_are_loaded(loaded):
     solver, modules = loaded
     count = sum(name.startswith("pydy") for name in modules)
-    assert count <= {"odeint": 204, "dop853": 215}[solver]
+    assert count <= {"odeint": 205, "dop853": 216}[solver]
 
 
 def test_the_collector_does_not_visit_all_objects_while_scipy_is_imported():

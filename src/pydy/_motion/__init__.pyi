@@ -11,6 +11,14 @@ from .events_and_constraints import (
     with_all as with_all,
     with_residuals_projected as with_residuals_projected,
 )
+from .lsoda import (
+    MORE_STEPS as MORE_STEPS,
+    call_odeint as call_odeint,
+    came_to_the_end as came_to_the_end,
+    is_odeint as is_odeint,
+    odeint as odeint,
+    public_odeint as public_odeint,
+)
 from .motion import (
     EvaluationRecorder as EvaluationRecorder,
     Integrator as Integrator,
@@ -20,13 +28,8 @@ from .motion import (
 )
 from .preparation import PreparedIntegration as PreparedIntegration, prepare as prepare
 from .scipy_solvers import (
-    MORE_STEPS as MORE_STEPS,
     SolveIvp as SolveIvp,
-    call_odeint as call_odeint,
-    came_to_the_end as came_to_the_end,
-    default_solver as default_solver,
     is_implicit as is_implicit,
-    is_odeint as is_odeint,
     of_states as of_states,
     resolve_ode_solver as resolve_ode_solver,
 )

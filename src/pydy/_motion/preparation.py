@@ -15,8 +15,9 @@ from pydy._motion.events_and_constraints import (
     compile_events,
     with_residuals_projected,
 )
+from pydy._motion.lsoda import is_odeint, odeint_options
 from pydy._motion.scipy_options import named_for_odeint
-from pydy._motion.scipy_solvers import SolveIvp, is_odeint, odeint_options
+from pydy._motion.scipy_solvers import SolveIvp
 from pydy._option_checks import check_option_names
 from pydy._problem import AssumptionChecks, Model, Problem, read_times
 from pydy.codegen import SpecifiedsPlan

@@ -1,25 +1,22 @@
-"""SciPy's solvers: `odeint`, and `solve_ivp` with its methods, called like it."""
+"""SciPy's solvers by name or class: `solve_ivp` with its methods, called like `odeint`."""
 
 from __future__ import annotations
 
 import sys
-import threading
-import warnings
 from collections.abc import Callable, Sequence
-from contextlib import nullcontext
 from dataclasses import dataclass
 from functools import partial, wraps
-from inspect import Parameter, signature, unwrap
+from inspect import Parameter, signature
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import scipy
 
-from pydy._checks import descends, listed, monotonic, shown
-from pydy._collector import collector_paused
+from pydy._checks import listed, monotonic, shown
 from pydy._errors import IntegrationError
+from pydy._motion.lsoda import check_scales, is_odeint, refuse_nested
 from pydy._motion.scipy_options import check_scipy_options
-from pydy._names import nearest, numbers_of, unique_names
+from pydy._names import nearest, unique_names
 from pydy._option_checks import check_option_names
 from pydy.solvers import SOLVERS, Outcome, Solver
 from pydy.trajectory import EventRecord
@@ -27,132 +24,11 @@ from pydy.trajectory import EventRecord
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-    from pydy._sympy_types import AnySymbol
-
-# -- LSODA, which odeint and solve_ivp call, has static memory: runs cannot be nested --------------
-
-
-def refuse_nested(name: str) -> None:
-    """Raise if LSODA is running: a function that it calls must not start the solver `name`."""
-    # The call stack is always up to date, unlike a flag after an interrupt.
-    running = {
-        unwrap(scipy.integrate.odeint).__code__: "odeint",
-        unwrap(scipy.integrate.LSODA._step_impl).__code__: "LSODA",
-    }
-    frame = sys._getframe()
-    while frame := frame.f_back:  # type: ignore[assignment]
-        if frame.f_code in running:
-            raise RuntimeError(
-                f"`{name}` cannot be started by a function that `{running[frame.f_code]}` calls: "
-                "SciPy's LSODA, which is behind both, works on one integration at a time. Give one "
-                "of the two systems another solver, such as `system.ode_solver = 'dop853'`."
-            )
-
-
-# -- odeint ---------------------------------------------------------------------------------------
-
-
-def default_solver() -> Callable[..., Any]:
-    """Return odeint.
-
-    The first import of `scipy.integrate` runs with the cycle collector paused: its 350 modules
-    would start a full collection, which visits all of SymPy's objects and takes a tenth of the
-    import.
-    """
-    if "scipy.integrate" in sys.modules:
-        return scipy.integrate.odeint  # type: ignore[no-any-return]
-    with collector_paused():
-        return scipy.integrate.odeint  # type: ignore[no-any-return]
-
-
-_ILLEGAL = "Illegal input"
-_GOOD = ("Integration successful", "Nothing was done")
-MORE_STEPS = (
-    "Raise `mxstep`, how many steps it may take between two times (500 by default), ask for more "
-    "`times`, or set `system.ode_solver = 'dop853'`."
-)
-
-
-def odeint_options() -> frozenset[str]:
-    """Return the options of odeint that users can pass."""
-    positional = {"func", "y0", "t", "args", "tfirst"}
-    return frozenset(signature(scipy.integrate.odeint).parameters) - positional
-
-
-def is_odeint(solver: object) -> bool:
-    """Return whether a solver is `odeint`; for native ones, without loading SciPy's packages."""
-    return not isinstance(solver, (Solver, SolveIvp)) and solver is scipy.integrate.odeint
-
 
 def is_implicit(solver: object) -> bool:
     """Return whether a solver is one of SciPy's implicit methods, for stiff equations."""
     return isinstance(solver, SolveIvp) and solver.method.__name__ in ("Radau", "BDF")
 
-
-def came_to_the_end(states: np.ndarray, info: dict[str, Any]) -> bool:
-    """Return whether `odeint` reached the last time."""
-    return bool(info["message"].startswith(_GOOD) and np.isfinite(states).all())
-
-
-def call_odeint(
-    f: Callable[..., np.ndarray],
-    x0: np.ndarray,
-    times: np.ndarray,
-    args: tuple[object, ...],
-    names: Sequence[AnySymbol],
-    options: dict[str, object],
-) -> tuple[np.ndarray, dict[str, Any]]:
-    """Return the states and information of `odeint`; raise IntegrationError if it gives up."""
-    refuse_nested("odeint")
-    options = check_scipy_options(options)
-    _check_scales(options, x0)
-    # The error replaces SciPy's warning. Filters are global to the process, so that they are
-    # changed only in the main thread.
-    alone = threading.current_thread() is threading.main_thread()
-    with warnings.catch_warnings() if alone else nullcontext():
-        if alone and not options.get("printmessg"):
-            warnings.simplefilter("ignore", scipy.integrate.ODEintWarning)
-        states, info = scipy.integrate.odeint(
-            f, x0, times, args=args, **{**options, "full_output": True}
-        )
-    if came_to_the_end(states, info):
-        return states, info
-    good = info["message"].startswith(_GOOD)
-    # Rows that were not reached contain uninitialised memory, also in the times.
-    came, sign = np.isfinite(states).all(axis=1), -1.0 if descends(times) else 1.0
-    if not good:
-        came[1:] &= sign * info["tcur"] >= sign * times[1:]
-    # Illegal input after successful steps means infinite derivatives.
-    advanced = (sign * info["tcur"]).max() > sign * times[0]
-    if good or (info["message"].startswith(_ILLEGAL) and advanced):
-        outcome, reason = Outcome.NOT_FINITE, "met derivatives or errors that are not finite"
-    else:
-        reason = info["message"].split(".")[0]
-        excess = reason.startswith("Excess work")
-        outcome = Outcome.TOO_MANY_STEPS if excess else Outcome.STEP_UNDERFLOW
-        reason = f"gave up ({reason})"
-    reached = max(1, int(np.argmin(came)))
-    t, x = float(times[reached - 1]), states[reached - 1].copy()
-    stop_time = float(info["tcur"][reached - 1])
-    if (
-        not good
-        and sign * t <= sign * stop_time <= sign * times[reached]
-        and np.isfinite(states[reached]).all()
-    ):
-        t, x = stop_time, states[reached].copy()  # the row of the time at which it gave up
-    rows = {k: v[:reached] if isinstance(v, np.ndarray) else v for k, v in info.items()}
-    raise IntegrationError(
-        f"`odeint` {reason} at t = {t!r} in the state {numbers_of(names, x)}. "
-        f"{MORE_STEPS if outcome == Outcome.TOO_MANY_STEPS else outcome.remedy}",
-        times[:reached].copy(),
-        states[:reached].copy(),
-        t,
-        x,
-        {**rows, "method": "odeint", "code": int(outcome), "status": reason, "reached": reached},
-    )
-
-
-# -- solve_ivp ------------------------------------------------------------------------------------
 
 # The nearest solver here to one of MATLAB, or of SciPy's older interface.
 _ELSEWHERE = {
@@ -194,8 +70,10 @@ def _as_solver(solver: object) -> Callable[..., Any] | None:
             "`ode_solver` must be a function with the signature of scipy.integrate.odeint, or "
             f"the name of a solver, got {shown(solver)}."
         )
-    if solver is scipy.integrate.odeint:
+    if is_odeint(solver):
         return None
+    if "scipy.integrate" not in sys.modules:  # it has no solver of that package
+        return solver
     if solver is scipy.integrate.solve_ivp:
         return SolveIvp(scipy.integrate.RK45)
     if isinstance(solver, type) and issubclass(solver, scipy.integrate.OdeSolver):
@@ -235,20 +113,6 @@ class _Rates:
                 raise FloatingPointError("the derivatives are not finite where it begins")
         self._first = False
         return derivatives
-
-
-def _check_scales(options: dict[str, object], x0: np.ndarray) -> None:
-    """Refuse a zero `atol` for a state that is zero: SciPy's first step would remain NaN."""
-    atol = np.asarray(options.get("atol", 1.0))
-    x0 = np.asarray(x0)
-    if atol.ndim and atol.shape != x0.shape:
-        return  # which SciPy refuses
-    zero_columns = np.flatnonzero((atol == 0.0) & (x0 == 0.0))
-    if zero_columns.size:
-        raise ValueError(
-            "`atol` must be above 0 for states that are 0 at the start, got 0 for "
-            f"x[{zero_columns[0]}]: SciPy divides errors by `atol` + `rtol`·|x|."
-        )
 
 
 def _scipy_events(
@@ -423,7 +287,7 @@ class SolveIvp:
                 info["times"] = np.array(t, dtype=float)
             return (states, info) if full_output else states
         if options.get("first_step") is None:
-            _check_scales(options, x0)
+            check_scales(options, x0)
         rates, counter = _Rates(lambda t, x: f(x, t, *args)), _StepCounter()
         try:
             result = scipy.integrate.solve_ivp(
