@@ -540,7 +540,7 @@ class System:
         "difference of ranks, whatever axes the constraints are written in.",
     )
     num_constraints = property(
-        lambda self: len(self.constraints),
+        lambda self: self.num_holonomic_constraints + self.num_nonholonomic_constraints,
         doc="Number of holonomic and nonholonomic constraints together.",
     )
 

@@ -1,5 +1,8 @@
 """evaluate_ode and its sisters: states, times, shapes and overrides."""
 
+import os
+import sys
+
 import numpy as np
 import pytest
 import sympy as sm
@@ -174,6 +177,25 @@ METHODS = [
     "evaluate_holonomic_constraints",
     "evaluate_velocity_constraints",
 ]
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_a_repeated_evaluation_builds_nothing_of_sympy(method):
+    """`evaluate_constraints` made a Matrix to count its rows, two thirds of a call."""
+    model = zoo.track()
+    system = system_of(model)
+    if method == "evaluate_outputs":
+        system.outputs = {"twice": 2 * system.states[0]}
+    x = model.sample(5, 10)[0]
+    getattr(system, method)(x)
+    entered = []
+    sys.setprofile(lambda frame, *_: entered.append(frame.f_code.co_filename))
+    try:
+        getattr(system, method)(x)
+    finally:
+        sys.setprofile(None)
+    names = {name for name in entered if f"{os.sep}sympy{os.sep}matrices" in name}
+    assert not names
 
 
 def test_a_series_of_another_length_than_times_is_refused():
