@@ -242,27 +242,6 @@ def of_quaternion(quaternion: np.ndarray) -> np.ndarray:
     return cosines((w * w - np.dot(v, v)) * np.eye(3) + 2.0 * (np.outer(v, v) + w * cross))
 
 
-def to_quaternion(rotation: np.ndarray) -> np.ndarray:
-    """Return the quaternion of a rotation, scalar part first.
-
-    It is divided by its largest component, whose square is no difference of the others: S. W.
-    Shepperd, Quaternion from rotation matrix, Journal of Guidance and Control 1 (1978) 223-224.
-    """
-    products = np.empty((4, 4))  # 4 q qᵀ
-    trace = np.trace(rotation)
-    products[0, 0] = 1.0 + trace
-    products[1:, 1:] = rotation + rotation.T + (1.0 - trace) * np.eye(3)
-    products[0, 1:] = products[1:, 0] = [
-        rotation[2, 1] - rotation[1, 2],
-        rotation[0, 2] - rotation[2, 0],
-        rotation[1, 0] - rotation[0, 1],
-    ]
-    largest = np.argmax(np.roll(np.diag(products), -1))  # of those alike, x, y, z, then the scalar
-    row: np.ndarray = products[(largest + 1) % 4]
-    row /= np.linalg.norm(row)
-    return row
-
-
 def of_roll_pitch_yaw(angles: np.ndarray) -> np.ndarray:
     """Return the rotation by angles about the fixed axes x, y and z, in this order."""
     rotation = np.eye(3)

@@ -20,6 +20,7 @@ import numpy as np
 from pydy._errors import RobotFileError, warn_user
 from pydy._names import unused_name
 from pydy._rank import ROUNDED
+from pydy._rotations import to_quaternions
 from pydy.robots.tree import (
     Link,
     Motor,
@@ -28,7 +29,6 @@ from pydy.robots.tree import (
     VisualShape,
     of_roll_pitch_yaw,
     rotated_inertia,
-    to_quaternion,
 )
 from pydy.viz import Box, Cylinder, Mesh, Sphere, read_mesh
 
@@ -265,7 +265,8 @@ def _place_floating_links(tree: Tree) -> None:
                 parent.rotation @ rotation,
             )
             above = parent.parent
-        tree.start[link.joints[0].name] = np.concatenate([position, to_quaternion(rotation)])
+        quaternion = np.roll(to_quaternions(rotation), 1)  # the scalar part first
+        tree.start[link.joints[0].name] = np.concatenate([position, quaternion])
 
 
 def _check_once(reader: _UrdfReader, kind: str, elements: list[ElementTree.Element]) -> None:

@@ -25,11 +25,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import scipy
 
 from pydy._files import write_files
 from pydy._names import label_parts
 from pydy._rank import HALF
+from pydy._rotations import to_quaternions
 from pydy._version import __version__
 from pydy.viz import shapes
 from pydy.viz.animation import Animation, Item, ViewSettings, frame
@@ -280,8 +280,7 @@ class _Tracks:
         rotations = self._frames[frame]
         self.anchors.append((frame, point))
         self._bases.append((frame, rotations, positions))
-        # A copy: old versions of SciPy refuse read-only arrays.
-        quaternions = scipy.spatial.transform.Rotation.from_matrix(np.array(rotations)).as_quat()
+        quaternions = to_quaternions(rotations)
         # Equal signs of neighbours, so that interpolation takes the shorter rotation.
         flips = np.sign(np.einsum("mi,mi->m", quaternions[1:], quaternions[:-1]))
         quaternions[1:] *= np.cumprod(np.where(flips == 0, 1.0, flips))[:, None]
