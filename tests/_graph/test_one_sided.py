@@ -235,6 +235,8 @@ def vanishing(v):
         v**3 + v,
         sm.tanh(v),
         sm.sinh(2 * v),
+        v * sm.Abs(v),
+        v**3 + v * sm.Abs(v),
     ]
     of_others = [
         v * (1 + y**2),

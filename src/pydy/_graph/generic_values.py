@@ -66,6 +66,7 @@ class GenericValues:
         return self._equal(self._of(a), self._of(b))
 
     def _of(self, node: int) -> int:
+        """Return a node with arbitrary numbers."""
         memo, stack = self.nodes, [node]
         while stack:
             n = stack[-1]
@@ -95,6 +96,7 @@ class GenericValues:
         return args[1:] if op == "select" else g.operands(node)
 
     def _generic(self, node: int, operands: Sequence[int]) -> int:
+        """Return a node with arbitrary numbers, made of those of its operands."""
         g, memo, facts = self._graph, self.nodes, self._facts.of(node)
         op, args = g.ops[node], g.args[node]
         if not facts & self._varying:
@@ -151,9 +153,9 @@ class GenericValues:
         return [] if smooth else right
 
     def _chosen(self, slope: int, positive: int, other: int) -> int:
-        """Return the operand that an operation with a slope of 1, 0 or −1 takes, and 0 for 0.
+        """Return what an operation is, by its slope: 1 where it is its first operand.
 
-        Of two operands the `other` one is taken where the slope is not 1.
+        |x| has the slope 0 where x is zero in a region, and −x is, too.
         """
         g = self._graph
         if g.ops[slope] == "select":
@@ -175,6 +177,7 @@ class GenericValues:
         return g.call("eq", a, b)
 
     def _is_zero(self, node: int) -> int:
+        """Return whether a node is zero, by its factors and the branches of a select."""
         g = self._graph
         _, node = g.scaled(node)
         if g.ops[node] == "prod":
@@ -191,6 +194,9 @@ class GenericValues:
         return result
 
     def _either(self, condition: int, yes: int, no: int) -> int:
+        """Return a select between truth values."""
         g = self._graph
+        if yes == no:
+            return yes
         otherwise = g.call("and", g.call("not", condition), no)
         return g.call("or", g.call("and", condition, yes), otherwise)
