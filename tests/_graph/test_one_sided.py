@@ -45,6 +45,14 @@ VANISHING_TOGETHER = [
 """The same of arguments that are no multiples of one another, at y = 1/2."""
 
 
+def _strictly(a, b):
+    return sm.StrictLessThan(a, b, evaluate=False)
+
+
+def _at_most(a, b):
+    return sm.LessThan(a, b, evaluate=False)
+
+
 @pytest.mark.parametrize(("expression", "slope"), [*SMOOTH_AT_ZERO, *VANISHING_TOGETHER])
 def test_terms_that_switch_together_have_the_slope_that_both_sides_have(expression, slope):
     assert derivatives([expression], 0.0, 0.5, variables=(x, y))[0, 0] == pytest.approx(slope)
@@ -57,6 +65,47 @@ def test_slopes_at_zero_are_the_limits_of_those_beside_it(expression, slope):
         assert near == pytest.approx(slope, rel=1e-6, abs=1e-6)
 
 
+@pytest.mark.parametrize("place", [0.0, 3.0, -1e-9])
+@pytest.mark.parametrize(
+    "condition",
+    [
+        lambda v: v * sm.Abs(v),
+        lambda v: v * sm.sqrt(sm.Abs(v)),
+        lambda v: v * sm.Abs(sm.sin(v)),
+        lambda v: v**2 * sm.sign(v),
+        lambda v: sm.Abs(v) ** 3 * sm.sign(v),
+        lambda v: sm.sin(v) ** 3,
+        lambda v: v**3 + v**5,
+        lambda v: v**3 + v * sm.Abs(v),
+        lambda v: y * v**3 + v * sm.Abs(v) / 3,
+        lambda v: sm.Min(v, v**3),
+        lambda v: v * (1 - sm.cos(v)),
+        lambda v: v - sm.sin(v),
+        lambda v: sm.sinh(v) - v,
+        lambda v: sm.tan(v) - v,
+    ],
+)
+def test_what_changes_its_sign_without_a_slope_is_on_the_same_side(condition, place):
+    v = x - sm.Float(place, 17)
+    positive = _strictly(0, condition(v))
+    smooth = [
+        2 * sm.Max(v, 0) + sm.Piecewise((3 * v, positive), (5 * v, True), evaluate=False),
+        2 * sm.Min(v, 0) + sm.Piecewise((5 * v, positive), (3 * v, True), evaluate=False),
+        sm.Abs(v) + sm.Piecewise((4 * v, positive), (6 * v, True), evaluate=False),
+    ]
+    found = derivatives(smooth, place, 0.5, variables=(x,))
+    np.testing.assert_allclose(found, np.full((3, 1), 5.0))
+
+
+def test_an_argument_of_many_states_has_a_slope_in_the_direction():
+    """Whatever their places among all states are."""
+    for signs in ((1, -1, -1, 1), (1, -2, 1, 0), (1, -3, 3, -1)):
+        v = sum(sign * state for sign, state in zip(signs, X, strict=True))
+        pulled = sm.Abs((X[0] - 1) * v) * sm.sign(sm.sinh(v))
+        found = derivatives([pulled], 0.5, 0.5, 0.5, 0.5)[0]
+        np.testing.assert_allclose(found, 0.5 * np.array(signs))
+
+
 @pytest.mark.parametrize("place", [6371000.0, -(2.0**-28), 3e-9, 150.0])
 @pytest.mark.parametrize("scale", [1e-9, 1.0])
 def test_what_is_zero_together_is_so_wherever_and_however_small_it_is(place, scale):
@@ -67,14 +116,6 @@ def test_what_is_zero_together_is_so_wherever_and_however_small_it_is(place, sca
 
 c, d = P[:2]
 PRESSED = sm.Max(x, 0)
-
-
-def _strictly(a, b):
-    return sm.StrictLessThan(a, b, evaluate=False)
-
-
-def _at_most(a, b):
-    return sm.LessThan(a, b, evaluate=False)
 
 
 @pytest.mark.parametrize("place", [-0.75, -0.3, 0.3, 0.75])
@@ -194,6 +235,8 @@ def vanishing(v):
         v**3 + v,
         sm.tanh(v),
         sm.sinh(2 * v),
+        v * sm.Abs(v),
+        v**3 + v * sm.Abs(v),
     ]
     of_others = [
         v * (1 + y**2),

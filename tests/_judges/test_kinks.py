@@ -92,6 +92,15 @@ def test_a_kink_off_the_axes_is_told(force, what):
     assert len(told) == 1
 
 
+def test_a_side_that_no_slope_tells_is_told():
+    """Whether V |V| + V**3 is positive where V is depends on a state that multiplies both."""
+    argument = (X - 2) * V * sm.Abs(V) + (X - 2) * V**3
+    force = 2 * sm.Max(V, 0) + sm.Piecewise((5 * V, argument > 0), (3 * V, True))
+    with pytest.warns(PyDyUserWarning, match="slope 5 by it alone and 7 where others") as told:
+        particle_with(force).linearize(at={})
+    assert len(told) == 1
+
+
 def test_a_force_by_a_variable_sign_is_no_input_of_a_linear_model():
     push = me.dynamicsymbols("F")
     with pytest.warns(PyDyUserWarning, match=r"F\(t\) = 0: .* 0 by it alone and -1 where others"):

@@ -549,3 +549,44 @@ def test_a_contact_that_is_open_has_no_damping():
     motion = system.simulate(sensitivities=[damping], rtol=1e-10, atol=1e-10)
     np.testing.assert_allclose(motion["x"], 2 + np.cos(2 * system.times) / 2, atol=1e-8)
     np.testing.assert_array_equal(motion.sensitivity["x", damping], np.zeros(5))
+
+
+def test_a_string_that_pulls_or_not_is_no_kink_of_what_depends_on_its_pull():
+    """Above its support a heavy bob at low speed presses on a rod, and would leave a string."""
+    x, y, u, v = me.dynamicsymbols("x y u v")
+    drag = sm.Symbol("c")
+    frame, support = me.ReferenceFrame("N"), me.Point("O")
+    support.set_vel(frame, 0)
+    bob = support.locatenew("P", x * frame.x + y * frame.y)
+    kane = me.KanesMethod(
+        frame, [x], [u], kd_eqs=[x.diff() - u, y.diff() - v], q_dependent=[y], u_dependent=[v],
+        configuration_constraints=[sm.sqrt(x**2 + y**2) - 2], velocity_constraints=[x * u + y * v],
+        bodies=[me.Particle("bob", bob, 3)],
+        forcelist=[(bob, -30 * frame.y - drag * (u * frame.x + v * frame.y))],
+    )  # fmt: skip
+    system = System(kane, constants={drag: 0.5}, times=np.linspace(0.0, 0.4, num=5))
+    pull = -system.constraint_forces["lambda0"]
+    height = np.sqrt(4.0 - 0.6**2)
+    for side, (by_x, by_u) in ((1.0, (3.0, 1.8)), (-1.0, (0.0, 2.0))):
+        # The pull is −side 30 cos(angle) + 3·u²/(2 cos²), of which the second is below 2.
+        state = np.array([0.6, side * height, 1.0, -side * 0.6 / height])
+        for condition in (sm.Max(pull, 0) > 0, pull + sm.Abs(pull) > 0):
+            system.outputs = {"wear": sm.Piecewise((u**2, condition), (3 * x * u, True))}
+            jacobian = system.evaluate_jacobian(state, of="outputs")[0]
+            np.testing.assert_allclose(jacobian, [by_x, 0.0, by_u, 0.0], atol=1e-14)
+            gradient = system.evaluate_gradient("wear", state)
+            np.testing.assert_allclose(gradient, [by_x, 0.0, by_u, 0.0], atol=1e-14)
+            C = system.linearize(state, outputs="wear").C
+            np.testing.assert_allclose(C, [[by_x, by_u]], atol=1e-14)
+        system.initial_conditions = dict(zip(system.states, state, strict=True))
+        system.ode_solver = "dop853"
+        motion = system.simulate(sensitivities=[drag], rtol=1e-11, atol=1e-11)
+        x_of, u_of = motion["x"], motion["u"]
+        by_drag = {name: motion.sensitivity[name, drag] for name in ("x", "u", "wear")}
+        expected = {
+            1.0: 3.0 * (by_drag["x"] * u_of + x_of * by_drag["u"]),
+            -1.0: 2.0 * u_of * by_drag["u"],
+        }[side]
+        np.testing.assert_allclose(by_drag["wear"], expected, rtol=1e-12, atol=1e-15)
+        gradient = system.adjoint_gradient([drag], final="wear", rtol=1e-11, atol=1e-11)
+        np.testing.assert_allclose(gradient[drag], expected[-1], rtol=1e-7)

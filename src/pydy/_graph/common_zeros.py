@@ -1,7 +1,8 @@
 """Which nodes are zero together, and whether they change their signs alike there.
 
 ``exp(−x) − 1`` is zero where x is, and its slope there is −1 times that of x; ``(y − 1) x`` is zero
-there, too, and the ratio of the slopes depends on the state. Nodes are evaluated along random lines
+there, too, and the ratio of the slopes depends on the state. x³ + x |x| has no slope there, and
+nevertheless the sign of x. Nodes are evaluated along random lines
 through the space of states and specifieds, with random constants. Where one of them changes its
 sign, its zero is found to the last digit. Others that are zero at the same number are zero together
 with it. Nodes that share isolated points alone, as x and x + y, are not. x² − |x| is zero with x,
@@ -11,7 +12,7 @@ too, and does not change its sign.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import TypeAlias
+from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
@@ -25,30 +26,36 @@ from pydy._graph.tuning import (
     INTERVALS,
     LINES,
     PLACES,
+    SAME_ORDER,
     SAME_ZERO,
+    SAME_ZERO_BY_ROUNDING,
+    WIDE,
     ZEROS,
 )
 from pydy._rank import DIGITS, ROUNDED
 
-Pairs: TypeAlias = dict[tuple[int, int], float]
-Touching: TypeAlias = dict[int, float]
+_Pairs: TypeAlias = dict[tuple[int, int], float]
 # Returns the values of nodes, shape (samples, nodes), from the lines and the places on these.
 _Evaluator: TypeAlias = Callable[[np.ndarray, np.ndarray], np.ndarray]
 
 
-def common_zeros(graph: Graph, nodes: Sequence[int]) -> tuple[Pairs, Touching]:
-    """Return which nodes are zero together.
+class CommonZeros(NamedTuple):
+    """Which nodes are zero together."""
 
-    Returns
-    -------
-    pairs : dict
-        From nodes i < j that change their signs together to 1.0 if alike, −1.0 if in opposite ways,
-        and 0.0 if that may depend on the state or on constants: the ratio of their slopes differs
-        from zero to zero.
-    touching : dict
-        From nodes that do not change their signs where another one does to their sign beside these
-        zeros, or 0.0 if it is not the same everywhere.
-    """
+    # From nodes i < j that change their signs together to 1.0 if alike, −1.0 if in opposite ways,
+    # and 0.0 if that may depend on the state or on constants: the ratio of their slopes differs
+    # from zero to zero.
+    pairs: _Pairs
+    # From nodes that do not change their signs where another one does to their sign beside these
+    # zeros, or 0.0 if it is not the same everywhere.
+    touching: dict[int, float]
+    # From nodes that change their signs without a slope, as x³ does, to nodes with a slope that are
+    # zero together with them, and 1.0 or −1.0 as in pairs.
+    with_slopes: dict[int, tuple[float, int]]
+
+
+def common_zeros(graph: Graph, nodes: Sequence[int]) -> CommonZeros:
+    """Return which nodes are zero together."""
     random_lines = _RandomLines(graph, nodes)
     far = 2.0 ** np.arange(2, FARTHEST)
     places = np.concatenate([-far[::-1], np.linspace(-2.0, 2.0, PLACES), far])
@@ -56,13 +63,14 @@ def common_zeros(graph: Graph, nodes: Sequence[int]) -> tuple[Pairs, Touching]:
     sampled = random_lines.evaluator(nodes)(lines, at).reshape(LINES, len(places), -1)
     sampled[~np.isfinite(sampled)] = 0.0
     pairs, distinct = _multiples(sampled[:, np.abs(places) <= 2.0].reshape(-1, len(nodes)))
-    touching: Touching = {}
-    if len(distinct) > 1:
-        evaluate = random_lines.evaluator([nodes[k] for k in distinct])
-        others, touches = _zeros_of_several(evaluate, sampled[..., distinct], places)
-        pairs |= {(distinct[i], distinct[j]): sign for (i, j), sign in others.items()}
-        touching = {distinct[i]: sign for i, sign in touches.items()}
-    return pairs, touching
+    if len(distinct) < 2:
+        return CommonZeros(pairs, {}, {})
+    evaluate = random_lines.evaluator([nodes[k] for k in distinct])
+    others = _zeros_of_several(evaluate, sampled[..., distinct], places)
+    pairs |= {(distinct[i], distinct[j]): sign for (i, j), sign in others.pairs.items()}
+    touching = {distinct[i]: sign for i, sign in others.touching.items()}
+    with_slopes = {distinct[i]: (sign, distinct[j]) for i, (sign, j) in others.with_slopes.items()}
+    return CommonZeros(pairs, touching, with_slopes)
 
 
 class _RandomLines:
@@ -90,9 +98,9 @@ class _RandomLines:
         return values_at
 
 
-def _multiples(sampled: np.ndarray) -> tuple[Pairs, list[int]]:
+def _multiples(sampled: np.ndarray) -> tuple[_Pairs, list[int]]:
     """Return pairs of nodes that are multiples of one another, and one node of each such group."""
-    pairs: Pairs = {}
+    pairs: _Pairs = {}
     distinct: list[int] = []
     few = sampled[:: max(1, len(sampled) // COMPARED)]
     for k in np.flatnonzero(few.any(axis=0)):
@@ -110,45 +118,95 @@ def _multiples(sampled: np.ndarray) -> tuple[Pairs, list[int]]:
     return pairs, distinct
 
 
-def _zeros_of_several(
-    evaluate: _Evaluator, sampled: np.ndarray, places: np.ndarray
-) -> tuple[Pairs, Touching]:
+class _Beside(NamedTuple):
+    """How nodes behave beside a zero, each (zeros, nodes)."""
+
+    vanishes: np.ndarray  # whether they are zero there
+    before: np.ndarray  # their values
+    after: np.ndarray
+    order: np.ndarray  # the power of the distance that they grow with, on both sides
+
+    @property
+    def signs(self) -> np.ndarray:
+        """Return −1 where they change their signs, and 1 where they do not."""
+        signs: np.ndarray = np.sign(self.before) * np.sign(self.after)
+        return signs
+
+
+def _beside(evaluate: _Evaluator, line: np.ndarray, zero: np.ndarray, size: np.ndarray) -> _Beside:
+    """Return how nodes behave beside zeros at places of lines, of the given size."""
+    here = np.abs(evaluate(line, zero))
+    found = list[_Beside]()
+    for distance, same in ((BESIDE, SAME_ZERO), (WIDE, SAME_ZERO_BY_ROUNDING)):
+        before, after = (evaluate(line, zero + step * size) for step in (-distance, distance))
+        with np.errstate(all="ignore"):
+            orders = [
+                np.log2(np.abs(evaluate(line, zero + 2.0 * step * size) / value))
+                for step, value in ((-distance, before), (distance, after))
+            ]
+            order = np.where(np.abs(orders[1] - orders[0]) <= SAME_ORDER, orders[1], np.nan)
+            total = np.abs(before) + np.abs(after)
+            vanishes = np.isfinite(total) & (here <= same * total)
+        found.append(_Beside(vanishes, before, after, order))
+    near, wide = found
+    # Where rounding errors are all that is there, as of sinh(x) − x.
+    by_rounding = wide.vanishes & np.isnan(near.order) & (wide.order > 1.0 + SAME_ORDER)
+    return _Beside(
+        np.where(by_rounding, wide.vanishes, near.vanishes),
+        np.where(by_rounding, wide.before, near.before),
+        np.where(by_rounding, wide.after, near.after),
+        np.where(by_rounding, wide.order, near.order),
+    )
+
+
+def _zeros_of_several(evaluate: _Evaluator, sampled: np.ndarray, places: np.ndarray) -> CommonZeros:
     """Return what `common_zeros` does, of nodes of which none is a multiple of another."""
     line, k, node = _intervals(sampled, places)
     if not line.size:
-        return {}, {}
+        return CommonZeros({}, {}, {})
     low, high, was_positive = places[k], places[k + 1], sampled[line, k, node] > 0.0
-    beside = BESIDE * np.maximum(np.abs(low), np.abs(high))
+    size = np.maximum(np.abs(low), np.abs(high))
     for _ in range(HALVINGS):
         middle = 0.5 * (low + high)
         stays = (evaluate(line, middle)[np.arange(len(line)), node] > 0.0) == was_positive
         low, high = np.where(stays, middle, low), np.where(stays, high, middle)
-    before, zero, after = (evaluate(line, low + h) for h in (-beside, 0.0 * beside, beside))
-    with np.errstate(all="ignore"):
-        size = np.abs(before) + np.abs(after)
-        vanishes = np.isfinite(size) & (np.abs(zero) <= SAME_ZERO * size)
-        signs = np.sign(before) * np.sign(after)
-        slopes = after - before
+    beside = _beside(evaluate, line, low, size)
+    vanishes, signs, order = beside.vanishes, beside.signs, beside.order
+    slopes = beside.after - beside.before
     ratios: dict[tuple[int, int], list[float]] = {}
+    same_order: set[tuple[int, int]] = set()
+    sloping, flat = set[int](), set[int]()
     touches: dict[int, set[float]] = {}
     for n, i in enumerate(map(int, node)):
         if not (vanishes[n, i] and signs[n, i] == -1.0):
             continue
         for j in map(int, np.flatnonzero(vanishes[n])):
             if signs[n, j] == 1.0:
-                touches.setdefault(j, set()).add(float(np.sign(after[n, j])))
-            elif signs[n, j] == -1.0 and j != i:
-                a, b = min(i, j), max(i, j)
-                ratios.setdefault((a, b), []).append(slopes[n, b] / slopes[n, a])
-    pairs: Pairs = {}
+                touches.setdefault(j, set()).add(float(np.sign(beside.after[n, j])))
+            elif signs[n, j] == -1.0:
+                (flat if order[n, j] > 1.0 + SAME_ORDER else sloping).add(j)
+                if j != i:
+                    a, b = min(i, j), max(i, j)
+                    ratios.setdefault((a, b), []).append(slopes[n, b] / slopes[n, a])
+                    if not np.abs(order[n, b] - order[n, a]) > SAME_ORDER:
+                        same_order.add((a, b))
+    pairs: _Pairs = {}
     for pair, values in ratios.items():
-        is_constant = len(values) > 1 and np.ptp(values) <= DIGITS * np.abs(values[0])
+        # The ratio of x³ and x tends to zero, whatever they are multiplied by: its sign counts.
+        compared = np.array(values) if pair in same_order else np.sign(values)
+        is_constant = len(values) > 1 and np.ptp(compared) <= DIGITS * np.abs(compared[0])
         pairs[pair] = float(np.sign(values[0])) if is_constant else 0.0
     crossing = {k for pair in pairs for k in pair}
-    return pairs, {
+    touching = {
         j: min(found) if len(found) == 1 and j not in crossing else 0.0
         for j, found in touches.items()
     }
+    with_slopes: dict[int, tuple[float, int]] = {}
+    for pair, sign in pairs.items():
+        for i, j in (pair, pair[::-1]):
+            if sign and i in flat - sloping and j in sloping - flat:
+                with_slopes.setdefault(i, (sign, j))
+    return CommonZeros(pairs, touching, with_slopes)
 
 
 def _intervals(sampled: np.ndarray, places: np.ndarray) -> tuple[np.ndarray, ...]:

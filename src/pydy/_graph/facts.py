@@ -16,7 +16,7 @@ SOLUTIONS = frozenset({"item", "solve", "guard", "factor"})
 STATE, INPUT, TIME, PARTLY_CONSTANT, IRREGULAR, SOLVED = 1, 2, 4, 8, 16, 32
 _INHERITED = 63
 # What it is itself.
-_NOT_NEGATIVE, _POSITIVE = 64, 128
+NOT_NEGATIVE, _POSITIVE = 64, 128
 _OF_GROUP = {"x": STATE, "r": INPUT, "t": TIME}
 # Operations with finite slopes of all orders, or steps.
 _REGULAR = frozenset(
@@ -78,21 +78,21 @@ class NodeFacts:
         """Return whether a node is positive, or not negative, by structure."""
         facts = self._facts
         if op in ("exp", "cosh"):
-            return _POSITIVE | _NOT_NEGATIVE
+            return _POSITIVE | NOT_NEGATIVE
         if op in ("abs", "sqrt"):
-            return _NOT_NEGATIVE | (facts[args[0]] & _POSITIVE if op == "sqrt" else 0)
+            return NOT_NEGATIVE | (facts[args[0]] & _POSITIVE if op == "sqrt" else 0)
         if op == "max":
-            return (facts[args[0]] | facts[args[1]]) & (_POSITIVE | _NOT_NEGATIVE)
+            return (facts[args[0]] | facts[args[1]]) & (_POSITIVE | NOT_NEGATIVE)
         if op == "const":
-            return (_NOT_NEGATIVE if args[0] >= 0.0 else 0) | (_POSITIVE if args[0] > 0.0 else 0)
+            return (NOT_NEGATIVE if args[0] >= 0.0 else 0) | (_POSITIVE if args[0] > 0.0 else 0)
         if op == "prod":
-            both = _POSITIVE | _NOT_NEGATIVE
+            both = _POSITIVE | NOT_NEGATIVE
             for n, e in args:
-                both &= facts[n] | (_NOT_NEGATIVE if e % 2 == 0 else 0)
+                both &= facts[n] | (NOT_NEGATIVE if e % 2 == 0 else 0)
             return both
         if op == "sum":
             c0, terms = args
-            if c0 >= 0.0 and all(c > 0.0 and facts[n] & _NOT_NEGATIVE for n, c in terms):
+            if c0 >= 0.0 and all(c > 0.0 and facts[n] & NOT_NEGATIVE for n, c in terms):
                 is_positive = c0 > 0.0 or any(facts[n] & _POSITIVE for n, _ in terms)
-                return _NOT_NEGATIVE | (_POSITIVE if is_positive else 0)
+                return NOT_NEGATIVE | (_POSITIVE if is_positive else 0)
         return 0

@@ -18,8 +18,8 @@ those of parameters in a Piecewise, which select an equation. The solution of a 
 one at the point.
 
 An argument may be zero in whole regions, as ``max(x, 0)`` where x is negative and ``min(x, 1) − x``
-where x is below 1: it is flat there. No side is to be chosen then; the conditions are those at the
-point.
+where x is below 1: it is flat there (`pydy._graph.generic_values`). No side is to be chosen then;
+the conditions are those at the point.
 """
 
 from __future__ import annotations
@@ -31,11 +31,11 @@ from pydy._graph.facts import (
     INPUT,
     PARTLY_CONSTANT,
     SOLUTIONS,
-    SOLVED,
     STATE,
     TIME,
     NodeFacts,
 )
+from pydy._graph.generic_values import GenericValues, arbitrary_number
 from pydy._graph.node import Graph
 from pydy._graph.rewrite import make_canonical, replaced
 from pydy._graph.switch_arguments import SwitchArguments
@@ -46,7 +46,6 @@ _Row: TypeAlias = dict[int, int]
 _MakeRows: TypeAlias = Callable[
     [Graph, dict[int, _Row], Callable[[int], _Row]], Callable[[int], _Row]
 ]
-_GOLDEN = 0.5 * (5.0**0.5 - 1.0)  # its multiples differ from one another by no simple ratio
 
 
 class DerivativeSides:
@@ -62,6 +61,8 @@ class DerivativeSides:
         Of nodes the slopes in the direction, of states (0) and of specifieds (1).
     facts : NodeFacts
     arguments : SwitchArguments
+    generic : dict
+        Nodes with arbitrary states, and with arbitrary specifieds.
     """
 
     def __init__(self, graph: Graph, make_rows: _MakeRows) -> None:
@@ -71,6 +72,7 @@ class DerivativeSides:
         self.rows: dict[int, _Row] = {}
         self.facts = NodeFacts(graph)
         self.arguments = SwitchArguments(graph, self.facts)
+        self.generic = {v: GenericValues(graph, self.facts, self, v) for v in (STATE, INPUT)}
         self._originals: dict[int, int] = {}
 
     def copy(self, graph: Graph) -> DerivativeSides:
@@ -79,6 +81,7 @@ class DerivativeSides:
         twin.nodes, twin.conditions = self.nodes.copy(), self.conditions.copy()
         twin.rows, twin._originals = self.rows.copy(), self._originals.copy()
         twin.facts = self.facts.copy(graph)
+        twin.generic = {v: g.copy(graph, twin.facts, twin) for v, g in self.generic.items()}
         twin.arguments = self.arguments.copy(graph, twin.facts)
         return twin
 
@@ -173,7 +176,9 @@ class DerivativeSides:
         if is_below is None:
             factor, argument = self._argument(a, b)
             growth = g.sum([(self._slope(argument, 0 if facts & STATE else 1), -factor)])
-            just_below = g.call("or", g.call("lt", a, b), g.call("lt", g.zero, growth))
+            # Without a slope the argument is positive.
+            grows = g.call("lt" if factor > 0.0 else "le", g.zero, growth)
+            just_below = g.call("or", g.call("lt", a, b), grows)
             comparison = g.call("and", g.call("le", a, b), just_below)
         else:
             comparison = g.call("le" if is_below else "lt", a, b)
@@ -187,29 +192,13 @@ class DerivativeSides:
         return comparison
 
     def _is_flat(self, a: int, b: int) -> int | None:
-        """Return whether a − b is zero around a state and not there alone; None if it never is.
-
-        It is where one of its factors is zero and has no slope on the side of the derivatives. That
-        of x |x| is zero where x is, too, but not those of its factors.
-        """
-        g, facts = self.graph, self.facts.of(a, b)
-        if not facts & PARTLY_CONSTANT or not facts & (STATE | INPUT):
+        """Return whether a − b is zero around a state and not there alone; None if it never is."""
+        facts = self.facts.of(a, b)
+        varying = STATE if facts & STATE else INPUT
+        if not facts & PARTLY_CONSTANT or not facts & varying:
             return None
-        direction = 0 if facts & STATE else 1
-        _, difference = g.scaled(g.sub(*(self._originals.get(n, n) for n in (a, b))))
-        factors = [difference]
-        if g.ops[difference] == "prod":
-            factors = [n for n, exponent in g.args[difference] if exponent > 0]
-        conditions = []
-        for factor in factors:
-            while g.ops[factor] in ("abs", "sign", "sqrt"):  # zero where their operands are
-                (factor,) = g.args[factor]
-            # The rows of slopes have none of solutions.
-            if self.facts.of(factor) & (PARTLY_CONSTANT | SOLVED) == PARTLY_CONSTANT:
-                slope = self._slope(factor, direction)
-                is_zero = g.call("eq", factor, g.zero)
-                conditions.append(g.call("and", is_zero, g.call("eq", slope, g.zero)))
-        return g.call("or", *conditions) if conditions else None
+        flat = self.generic[varying].are_equal(*(self._originals.get(n, n) for n in (a, b)))
+        return None if self.graph.ops[flat] == "bool" and not self.graph.args[flat][0] else flat
 
     def _is_below(self, a: int, b: int) -> bool | None:
         """Return whether a < b beside the states where they are equal; None if slopes tell."""
@@ -227,7 +216,7 @@ class DerivativeSides:
     def _weight(self, node: int) -> _Row:
         """Return the component of the direction that belongs to an input."""
         group, index = self.graph.args[node]
-        weight = self.graph.const(1.0 + index * _GOLDEN % 1.0)
+        weight = self.graph.const(arbitrary_number(index))
         return {"x": {0: weight}, "r": {1: weight}}.get(group, {})
 
     def _is_isolated(self, a: int, b: int) -> bool:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from pydy._graph.common_zeros import Pairs, Touching, common_zeros
-from pydy._graph.facts import INPUT, SOLVED, STATE, NodeFacts
+from pydy._graph.common_zeros import CommonZeros, common_zeros
+from pydy._graph.facts import INPUT, NOT_NEGATIVE, SOLVED, STATE, NodeFacts
 from pydy._graph.node import Graph
 from pydy._graph.tuning import MOST_ARGUMENTS
 
@@ -18,12 +18,14 @@ class SwitchArguments:
     def __init__(self, graph: Graph, facts: NodeFacts) -> None:
         self._graph, self._facts = graph, facts
         self._signs: dict[int, float] = {}
+        self._with_slopes: dict[int, tuple[float, int]] = {}
         self._searched = 0  # nodes among which arguments were searched
 
     def copy(self, graph: Graph, facts: NodeFacts) -> SwitchArguments:
         """Return the same for a copy of the graph."""
         twin = SwitchArguments(graph, facts)
         twin._signs, twin._searched = self._signs.copy(), self._searched
+        twin._with_slopes = self._with_slopes.copy()
         return twin
 
     def sign(self, argument: int) -> float:
@@ -33,13 +35,28 @@ class SwitchArguments:
         return self._signs[argument]
 
     def argument(self, a: int, b: int) -> tuple[float, int]:
-        """Return a factor and a node with the sign of a − b, which is the same for b − a."""
-        factor, node = self._graph.scaled(self._graph.sub(a, b))
-        if self._graph.ops[node] == "prod":
-            odd = [n for n, e in self._graph.args[node] if e % 2]
-            node = self._graph.product([(n, 1) for n in odd])
-        opposite = self._graph.neg(node)
-        return (factor, node) if node < opposite else (-factor, opposite)
+        """Return a factor and a node with the sign of a − b, which is the same for b − a.
+
+        Its slope is not zero where a node is known that has the same sign and a slope.
+        """
+        g = self._graph
+        factor, node = g.scaled(g.sub(a, b))
+        while g.ops[node] in ("prod", "sign"):
+            if g.ops[node] == "sign":
+                product = g.args[node][0]
+            else:
+                odd = (n for n, e in g.args[node] if e % 2)
+                odd = (n for n in odd if not self._facts.of(n) & NOT_NEGATIVE)
+                product = g.product([(g.args[n][0] if g.ops[n] == "sign" else n, 1) for n in odd])
+            coefficient, core = g.scaled(product)
+            if core == node:
+                break
+            factor, node = factor * coefficient, core
+        opposite = g.neg(node)
+        if opposite < node:
+            factor, node = -factor, opposite
+        sign, node = self._with_slopes.get(node, (1.0, node))
+        return factor * sign, node
 
     def _search(self, argument: int) -> None:
         """Find the signs of all arguments of new nodes."""
@@ -56,16 +73,16 @@ class SwitchArguments:
         moving = [n for n in moving if not self._facts.of(n) & SOLVED]
         # Two inputs are not zero together.
         if any(g.ops[n] != "input" for n in moving) and 1 < len(moving) <= MOST_ARGUMENTS:
-            self._join(moving, *common_zeros(g, moving))
+            self._join(moving, common_zeros(g, moving))
 
-    def _join(self, nodes: Sequence[int], pairs: Pairs, touching: Touching) -> None:
+    def _join(self, nodes: Sequence[int], zeros: CommonZeros) -> None:
         """Give nodes that are zero together signs of one side."""
         neighbours: dict[int, list[tuple[int, float]]] = {}
-        for (i, j), product in pairs.items():
+        for (i, j), product in zeros.pairs.items():
             neighbours.setdefault(nodes[i], []).append((nodes[j], product))
             neighbours.setdefault(nodes[j], []).append((nodes[i], product))
         reached: set[int] = set()
-        own = {nodes[i]: sign for i, sign in touching.items()}
+        own = {nodes[i]: sign for i, sign in zeros.touching.items()}
         for root in [*own, *sorted(neighbours)]:
             if root in reached:
                 continue
@@ -82,6 +99,9 @@ class SwitchArguments:
                 signs = dict.fromkeys(signs, 0.0)
             self._signs.update(signs)
             reached.update(group)
+        self._with_slopes.update(
+            (nodes[i], (sign, nodes[j])) for i, (sign, j) in zeros.with_slopes.items()
+        )
 
     def _first_sign(self, argument: int) -> float:
         """Return the sign of the first term, those with states first, then those with inputs."""
