@@ -142,8 +142,8 @@ def test_rods_and_arrows_go_from_their_start_along_their_vector():
 
 
 @pytest.mark.parametrize("length", [4.0, 0.9, 0.12])  # the head is 6 radii long, and shrinks
-def test_an_arrow_is_a_cylinder_and_a_cone_about_its_vector(length, radius=0.05):
-    start, direction = np.array([1.0, 2.0, 3.0]), np.array([2.0, -1.0, 2.0]) / 3
+def test_an_arrow_is_a_cylinder_and_a_cone_about_its_vector(length):
+    radius, start, direction = 0.05, np.array([1.0, 2.0, 3.0]), np.array([2.0, -1.0, 2.0]) / 3
     vertices, faces = arrow(start, length * direction, radius)
     head = min(6 * radius, length)
     widest = 2.5 * radius * min(1.0, length / (6 * radius))
