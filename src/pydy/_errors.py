@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from pydy._names import few
+from pydy._names import counted, few
 
 
 class PyDyUserWarning(UserWarning):
@@ -46,7 +46,9 @@ def warn_not_finite(
     bad = np.flatnonzero(wrong.any(axis=1))
     if bad.size:
         rows = [name for name, flag in zip(names, wrong[bad[0]], strict=True) if flag]
-        others_text = f"; {bad.size - 1} other samples have such values too" if bad.size > 1 else ""
+        others_text = (
+            f"; the same at {counted(bad.size - 1, 'other sample')}" if bad.size > 1 else ""
+        )
         position, why = describe_sample(int(bad[0]))
         why = why or "Look for a division by zero, or a function outside its domain."
         warn_user(

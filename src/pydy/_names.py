@@ -254,6 +254,11 @@ def few(texts: Sequence[str], most: int = 2, separator: str = "; ") -> str:
     return separator.join([*texts[:most], *remainder])
 
 
+def counted(number: int, noun: str) -> str:
+    """Return a number with its noun, in the plural unless it is one: ``1 link``, ``2 links``."""
+    return f"{number} {noun}{'' if number == 1 else 's'}"
+
+
 def some(names: Iterable[str]) -> str:
     """Return a list of names for a message, shortened when there are many."""
     return few([*names], 12, ", ")

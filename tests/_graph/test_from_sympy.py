@@ -340,7 +340,7 @@ def test_what_was_read_can_be_differentiated_by_sympy():
     ids=str,
 )
 def test_a_derivative_that_cannot_be_taken_is_named(expression):
-    with pytest.raises(UnsupportedFunctionError, match="hold the function `Derivative` in `"):
+    with pytest.raises(UnsupportedFunctionError, match=r"function `Derivative` occurs in .*, in `"):
         nodes_of([expression])
 
 
@@ -364,13 +364,13 @@ def test_a_real_expression_may_be_written_with_the_imaginary_unit(expression, re
 
 @pytest.mark.parametrize("number", [sm.I, sm.I * x + 1, sm.sqrt(-2), sm.log(-1) * x])
 def test_what_may_not_be_real_is_refused_with_the_remedy(number):
-    with pytest.raises(ValueError, match=r"hold the imaginary unit .* Give its real part"):
+    with pytest.raises(ValueError, match=r"imaginary unit occurs in .* Give its real part"):
         nodes_of([number])
 
 
 @pytest.mark.parametrize("number", [sm.zoo, sm.nan], ids=str)
 def test_a_number_that_is_not_real_is_refused(number):
-    with pytest.raises(ValueError, match=r"hold `(zoo|nan)`, which is not a real number.* `oo`"):
+    with pytest.raises(ValueError, match=r"^`(zoo|nan)` occurs in .* not a real number.* `oo`"):
         nodes_of([sm.sympify(number)])
 
 
@@ -405,7 +405,7 @@ def test_a_derivative_of_an_undefined_function_is_named():
     ids=lambda v: v if isinstance(v, str) else "",
 )
 def test_an_unsupported_function_is_named(expression, name):
-    with pytest.raises(UnsupportedFunctionError, match=f"the function `{name}` in `"):
+    with pytest.raises(UnsupportedFunctionError, match=rf"The function `{name}` occurs in .*`"):
         nodes_of([1 + expression])
 
 
@@ -417,7 +417,7 @@ def test_a_function_that_stands_for_an_expression_is_read_as_that():
 
 def test_what_was_being_read_is_named():
     graph = Graph()
-    message = r"^the outputs hold the function `stieltjes`"
+    message = r"^The function `stieltjes` occurs in the outputs, in `"
     with pytest.raises(UnsupportedFunctionError, match=message):
         SymPyReader(graph, {x: graph.input("x", 0)}, "the outputs")(sm.stieltjes(x))
 

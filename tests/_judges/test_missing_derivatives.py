@@ -118,7 +118,7 @@ def test_a_collocated_fit_that_does_not_converge_is_told_first():
     trial = Trial(times, {X: np.sin(0.3 * np.cos(np.sqrt(9.81) * times))})
     with pytest.warns(PyDyUserWarning) as told:
         assert not system.fit([G], trial, method="collocation", most=1).success
-    assert str(told[0].message).startswith("The fit did not converge in 1 iterations")
+    assert str(told[0].message).startswith("The fit did not converge in 1 iteration:")
 
 
 def test_the_constraint_itself_is_evaluated_in_silence():

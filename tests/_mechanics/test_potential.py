@@ -230,6 +230,27 @@ def test_energies_are_compared_where_the_constraints_hold():
     assert not found.unknown
 
 
+def test_work_is_not_compared_along_a_coordinate_whose_forces_cancel():
+    """The energy k x y z with y fixed; the forces along y are zero only when multiplied out.
+
+    ∂F_x/∂y is not ∂F_y/∂x = 0, but no work is done along y.
+    """
+    frame, origin = inertial_frame()
+    (x, y, z), u = q, _ = me.dynamicsymbols("x y z"), me.dynamicsymbols("u v w")
+    place = origin.locatenew("P", sum((c * e for c, e in zip(q, frame, strict=True)), 0 * frame.x))
+    place.set_vel(frame, sum((c * e for c, e in zip(u, frame, strict=True)), 0 * frame.x))
+    zero = (x + z) ** 2 - x**2 - 2 * x * z - z**2
+    force = -K * y * (z * frame.x + x * frame.z) + zero * frame.y
+    definition = Definition(
+        frame, q, u, bodies=[me.Particle("P", place, M)], loads=[(place, force)],
+        holonomic_constraints=[y - C],
+    )  # fmt: skip
+    found = find_potential(equations_of_definition(definition))
+    assert not found.unknown
+    difference = (found.expression - K * x * y * z).subs(y, C)
+    assert [sm.simplify(difference.diff(c)) for c in (x, z)] == [0, 0]
+
+
 def test_a_spring_between_decimal_places_has_that_of_its_length():
     """Its length's square and its pull are rounded in different ways."""
     q, u = me.dynamicsymbols("q u")

@@ -3,7 +3,7 @@
 import sympy as sm
 import sympy.physics.mechanics as me
 
-from pydy._mechanics.work import forces_of_power, has_quotients
+from pydy._mechanics.work import forces_of_power, has_quotients, may_be_exact
 
 X, Y, Z = me.dynamicsymbols("x y z")
 U, V, W = SPEEDS = me.dynamicsymbols("u v w")
@@ -28,6 +28,22 @@ def test_sums_of_coefficients_that_are_equal_when_multiplied_out_cancel():
 def test_powers_that_are_not_linear_in_the_speeds_have_none():
     for power in (U * V, U**2, sm.sin(U), K * X, 1 / U, (1 + U) * X):
         assert forces_of_power([power], SPEEDS) is None
+
+
+def test_work_whose_forces_have_unequal_cross_derivatives_depends_on_the_path():
+    powers = [K * X * Y * U, K * (Y * U + X * V)]
+    assert may_be_exact([*powers, X * Y * U + X**2 * V], {U: X, V: Y}, []) == [
+        True,  # only one force
+        True,  # of the potential k x y
+        False,  # ∂F_x/∂y = x, ∂F_y/∂x = 2 x
+        False,  # the sum
+    ]
+
+
+def test_a_force_that_is_zero_when_multiplied_out_is_not_compared():
+    """A constraint may fix the coordinate along which there is no force."""
+    zero = (X + C) ** 2 - X**2 - 2 * C * X - C**2
+    assert may_be_exact([K * X * Y * U + zero * V], {U: X, V: Y}, []) == [True, True]
 
 
 def test_sums_in_denominators_and_roots_are_quotients():

@@ -209,7 +209,7 @@ def test_bad_phases_are_named():
     for given, error, message in [
         (([one],), ValueError, "at least two phases, got 1"),
         (([one, 3],), TypeError, "`problems` must hold OptimalControl objects, got 3 at 1"),
-        (([one, one], []), ValueError, r"for each of the 1 junctions between 2 phases, got 0"),
+        (([one, one], []), ValueError, r"for each junction between phases, 1, got 0"),
         (([one, one], [{"bogus": 1}]), ValueError, "has the key `bogus`"),
         (([one, one], [{v: F}]), ValueError, r"`links\[0\]\[v\(t\)\]` is F"),
         (([one, one], [{v: v.diff()}]), ValueError, "expression of the states of the phase before"),

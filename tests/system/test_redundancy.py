@@ -46,11 +46,11 @@ def test_a_lift_that_was_taken_for_bars_on_each_other_is_refused_with_the_remedy
     monkeypatch.setattr(dependents, "AROUND", 1)
     system = lift(3)
     assert len(system.eom_method.multibody.constraints.velocity) == 4
-    with pytest.raises(ValueError, match=r"there are 6 .* only 4 were kept.*`pydy.mechanics.Def"):
+    with pytest.raises(ValueError, match=r"constraints is 6, .* it was 4\..*`pydy.mechanics.Def"):
         system.integrate(constraints="project")
-    with pytest.raises(ValueError, match="6 independent"):
+    with pytest.raises(ValueError, match="constraints is 6"):
         system.simulate()
-    with pytest.raises(ValueError, match="6 independent"):
+    with pytest.raises(ValueError, match="constraints is 6"):
         system.integrate_ensemble(constants={loops.GRAVITY: [9.81, 1.62]})
     lift(3, configuration=True).simulate()
 

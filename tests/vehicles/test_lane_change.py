@@ -68,6 +68,13 @@ def test_the_driver_steers_by_the_error_at_the_preview_point():
     assert change.angles[straight] == pytest.approx((2 * gain * error / ahead**2)[straight])
 
 
+def test_a_car_with_a_short_preview_begins_before_the_first_cones_too():
+    change = lane_change(single_track(CAR, speed=8.0), WIDTH, length=5.0, preview=0.3)
+    first = change.cones[:, 0] == 0.0
+    assert float(change.trajectory["x"][0]) < -2.5
+    assert change.clearances[first] == pytest.approx((1.1 * WIDTH + 0.25 - WIDTH) / 2)
+
+
 @pytest.mark.parametrize(("speed", "track"), [(20.0, "ISO 3888-1"), (14.0, "ISO 3888-2")])
 def test_a_cone_is_touched_where_it_is_inside_the_outline(speed, track):
     change = lane_change(single_track(CAR, speed=speed), WIDTH + 0.3, track=track)

@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 import sympy as sm
 
-from pydy.vehicles import CARS, LinearTire, steady_turn
+from pydy.vehicles import CARS, LinearTire, TireForces, steady_turn
+from pydy.vehicles.sprung_car import _Mirrored
 from pydy.vehicles.suspensions import SPRUNG_AXLES, SprungAxles, sprung_double_track
 
 G = 9.81
@@ -272,6 +273,25 @@ def mechanical(system, x):
     for bar, k in zip(BARS, (0, 2), strict=True):
         energy += bar * (travels[k] - travels[k + 1]) ** 2 / 2
     return energy
+
+
+class OneSidedTire:
+    """A tire without any symmetry: all slips and constants in all forces."""
+
+    def forces(self, Fz, kappa, alpha, gamma=0.0, **conditions):
+        slips = np.array([1.0, Fz, kappa, alpha, gamma])
+        return TireForces(*np.random.default_rng(0).uniform(1.0, 2.0, (5, 5)) @ slips)
+
+
+def test_the_tires_of_the_other_side_are_mirror_images():
+    """In y → −y forces are mirrored as vectors, torques and angles as those of a rotation."""
+    tire, slips = OneSidedTire(), (0.3, 0.2, 0.1)  # κ, α, γ
+    Fx, Fy, Mx, My, Mz = tire.forces(3.0, *slips)
+    mirror = np.diag([1.0, -1.0, 1.0])
+    force = mirror @ (Fx, Fy, 0.0)
+    torque = np.linalg.det(mirror) * mirror @ (Mx, My, Mz)
+    image = _Mirrored(tire).forces(3.0, slips[0], -slips[1], -slips[2])
+    assert image == pytest.approx((*force[:2], *torque))
 
 
 def test_unsprung_masses_that_are_too_large_are_refused():

@@ -141,6 +141,21 @@ def test_rods_and_arrows_go_from_their_start_along_their_vector():
         assert volume(vertices, faces) > 0
 
 
+@pytest.mark.parametrize("length", [4.0, 0.9, 0.12])  # the head is 6 radii long, and shrinks
+def test_an_arrow_is_a_cylinder_and_a_cone_about_its_vector(length):
+    radius, start, direction = 0.05, np.array([1.0, 2.0, 3.0]), np.array([2.0, -1.0, 2.0]) / 3
+    vertices, faces = arrow(start, length * direction, radius)
+    head = min(6 * radius, length)
+    widest = 2.5 * radius * min(1.0, length / (6 * radius))
+    away = np.linalg.norm(np.cross(vertices - start, direction), axis=1)
+    along = (vertices - start) @ direction
+    assert away.max() == pytest.approx(widest)
+    assert along.min() == pytest.approx(0.0, abs=1e-12)
+    assert along.max() == pytest.approx(length)
+    exact = np.pi * radius**2 * (length - head) + np.pi * widest**2 * head / 3
+    assert 0.85 < volume(vertices, faces) / exact < 1.0
+
+
 @pytest.mark.parametrize("radius", [0.01, 0.2])  # with few corners around, and with many
 def test_each_of_several_rods_is_a_cylinder_about_its_way(radius):
     points = np.array([[0.0, 0, 0], [1, 2, 2], [1, 2, 5], [-3, 2, 5], [-3, 0, 5]])

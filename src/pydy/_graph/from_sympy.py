@@ -351,7 +351,7 @@ class SymPyReader:
         if isinstance(expr, (sm.Number, NumberSymbol)) and expr is not sm.nan:
             value = float(expr)
             if math.isinf(value) and expr.is_finite:
-                raise ValueError(f"{self.what} hold a number beyond the range of floats.")
+                raise ValueError(f"A number in {self.what} is beyond the range of floats.")
             return self.graph.const(value)
         if isinstance(expr, (sm.Symbol, AppliedUndef, sm.Derivative)):
             raise ValueError(
@@ -363,9 +363,9 @@ class SymPyReader:
             raise _ImaginaryUnitError
         if expr.is_number:
             raise ValueError(
-                f"{self.what} hold `{expr}`, which is not a real number. Simplify the expression "
-                "or restrict its symbols so that it cannot arise, and look for infinite numbers: "
-                "SymPy makes `nan` of `oo` times what may be zero."
+                f"`{expr}` occurs in {self.what}, and is not a real number. Simplify the "
+                "expression or restrict its symbols so that it cannot arise, and look for infinite "
+                "numbers: SymPy makes `nan` of `oo` times what may be zero."
             )
         raise UnsupportedFunctionError(self._unsupported(expr))
 
@@ -393,7 +393,7 @@ class SymPyReader:
 
     def _unsupported(self, expr: sm.Basic) -> str:
         return (
-            f"{self.what} hold the function `{expr.func.__name__}` in `{_brief(expr)}`, which "
+            f"The function `{expr.func.__name__}` occurs in {self.what}, in `{_brief(expr)}`, and "
             "cannot be translated to numerical code. Rewrite it with elementary functions "
             "(`expr.rewrite(...)`, `expr.doit()`), Piecewise, Min, Max, Abs or sign, or "
             "interpolate it over the range that occurs: `sympy.interpolating_spline(3, x, points, "
@@ -422,9 +422,9 @@ def real_part(expr: sm.Expr, what: str) -> sm.Expr:
         if sm.expand(imaginary) == 0 or sm.simplify(imaginary) == 0:
             return real.xreplace({dummy: symbol for symbol, dummy in named.items()})
     raise ValueError(
-        f"{what} hold the imaginary unit in `{_brief(expr)}`, which is not known to be real for "
-        "real symbols. Give its real part without `I`: `expand_complex(re(expr))` of symbols that "
-        "are real, or other solutions of the equation it comes from."
+        f"The imaginary unit occurs in {what}, in `{_brief(expr)}`, which is not known to be real "
+        "for real symbols. Give its real part without `I`: `expand_complex(re(expr))` of symbols "
+        "that are real, or other solutions of the equation it comes from."
     )
 
 

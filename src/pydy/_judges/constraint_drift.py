@@ -364,10 +364,11 @@ def check_redundant(at: StateSamples) -> None:
     needed = rank(slopes, least=DIGITS**0.5)
     if needed > len(equations.constraints.velocity):
         raise ValueError(
-            f"At t = {t!r} there are {needed} independent velocity constraints, but only "
-            f"{len(equations.constraints.velocity)} were kept: at the states that were tried, the "
-            "others followed from them. "
-            "The linkage can be assembled in another way, in which they do. Say which is meant: "
+            f"At t = {t!r} the rank of the velocity constraints is {needed}, but at the generic "
+            "states at which independent ones were selected it was "
+            f"{len(equations.constraints.velocity)}. "
+            "The linkage can be assembled in more than one way, and the rank differs between them. "
+            "Give the configuration that is meant: "
             "`pydy.mechanics.Definition(..., configuration=system.initial_conditions)`."
         )
 

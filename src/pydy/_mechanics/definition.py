@@ -31,6 +31,7 @@ from pydy._mechanics.rates import solve_rates
 from pydy._mechanics.reader import activation_states, check_bodies, read_loads
 from pydy._mechanics.select_formulation import equations_of
 from pydy._mechanics.symbols import find_symbols, rate_of
+from pydy._names import counted
 
 if TYPE_CHECKING:
     from sympy.physics.mechanics import ActuatorBase, KanesMethod, LagrangesMethod, System
@@ -226,9 +227,9 @@ class Definition:
             return _expressions("kinematic_equations", equations)
         if len(self.speeds) != len(rates):
             raise ValueError(
-                f"`kinematic_equations` are needed with {len(rates)} coordinates and "
-                f"{len(self.speeds)} speeds: give as many as coordinates, each zero, that give the "
-                "derivatives of the coordinates."
+                f"`kinematic_equations` are needed with {counted(len(rates), 'coordinate')} and "
+                f"{counted(len(self.speeds), 'speed')}: give as many as coordinates, each zero, "
+                "that give the derivatives of the coordinates."
             )
         return tuple(q - u for q, u in zip(rates, self.speeds, strict=True))
 

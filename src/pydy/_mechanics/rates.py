@@ -16,6 +16,7 @@ from pydy._graph import Graph, LinearSystem, NodeExpression, SymPyReader, signat
 from pydy._mechanics.implicit import blocks_of
 from pydy._mechanics.symbols import find_symbols, replace_symbols, sort_symbols
 from pydy._modular import PRIME, inverse
+from pydy._names import counted
 
 
 def solve_rates(
@@ -30,9 +31,9 @@ def solve_rates(
         rows = [equations[k] for k in group]
         if len(group_rates) != len(group):
             message = (
-                f"`{argument}` must give each coordinate's derivative once: {len(rows)} equations "
-                f"hold {describe(group_rates)}. Each equation must be zero, and contain "
-                "derivatives of coordinates."
+                f"`{argument}` must give each coordinate's derivative once, got "
+                f"{counted(len(rows), 'equation')} for {describe(group_rates)}. Each equation "
+                "must be zero, and contain derivatives of coordinates."
             )
             if len(group_rates) == len(group) + 1 == 4:
                 length = " + ".join(f"{rate.expr.func}*{rate.expr.func}'" for rate in group_rates)
@@ -45,7 +46,7 @@ def solve_rates(
     missing = [rate for rate in coordinate_rates if rate not in rates]
     if missing:
         raise ValueError(
-            f"`{argument}` do not give {describe(missing)}: no equation holds it. Add one, such as "
+            f"`{argument}` do not give {describe(missing)}. Add an equation, such as "
             f"`{missing[0]} - u` with one of the speeds as u."
         )
     return tuple(rates[rate] for rate in coordinate_rates)

@@ -231,9 +231,9 @@ class InputReader(SymPyReader):
             node = self.second(expr)
             if node is None:
                 raise ValueError(
-                    f"{self.what} hold `{expr}`, but of the coordinates and speeds only the first "
-                    "derivatives are available. Rewrite it in terms of the speeds and their first "
-                    "derivatives."
+                    f"`{expr}` occurs in {self.what}, but of the coordinates and speeds only the "
+                    "first derivatives are available. Rewrite it in terms of the speeds and their "
+                    "first derivatives."
                 )
             self.atoms[expr] = node
             return node

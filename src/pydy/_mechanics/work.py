@@ -103,7 +103,7 @@ def may_be_exact(
     The generalised forces along `coordinates`, given by their rates, must satisfy
     ∂Fᵢ/∂qⱼ = ∂Fⱼ/∂qᵢ, up to rounding. A torque of a wheel has many terms, of which none has a
     potential: this numeric test excludes them before SymPy expands and integrates them, one by one.
-    Coordinates without a force are not compared, since constraints may hold these.
+    Coordinates along which no force acts are not compared, since constraints may fix them.
     """
     graph = Graph()
     read = InputReader(graph, {}, ())
@@ -116,7 +116,7 @@ def may_be_exact(
     except UnsupportedFunctionError:  # SymPy may still integrate it
         return undecided
     forces = np.reshape(jacobian(graph, nodes, rates).flat(), (len(nodes), len(rates)))
-    places, pairs = [], []
+    rows, pairs = [], []
     for row, force in enumerate(forces.tolist()):
         acting = [k for k, node in enumerate(force) if node != graph.zero]
         slopes = np.reshape(
@@ -124,7 +124,7 @@ def may_be_exact(
             (len(acting), len(acting)),
         )
         for i, j in combinations(range(len(acting)), 2):
-            places.append(row)
+            rows.append(row)
             pairs.append([slopes[i, j], slopes[j, i], force[acting[i]], force[acting[j]]])
     if not pairs:
         return undecided
@@ -138,6 +138,8 @@ def may_be_exact(
             .swapaxes(0, 1)
         )
         unequal = np.abs(values[..., 0] - values[..., 1]) > ROUNDED * bounds[..., :2].sum(axis=2)
-        acts = (np.abs(values[..., 2:]) > ROUNDED * bounds[..., 2:]).all(axis=2)
-    on_path = {row for row, bad in zip(places, (unequal & acts).any(axis=0), strict=True) if bad}
-    return [row not in on_path for row in range(len(nodes))]
+        # A force may cancel although its node is not zero.
+        both_act = (np.abs(values[..., 2:]) > ROUNDED * bounds[..., 2:]).all(axis=2)
+    differ = (unequal & both_act).any(axis=0)
+    path_dependent = {row for row, different in zip(rows, differ, strict=True) if different}
+    return [row not in path_dependent for row in range(len(nodes))]

@@ -357,7 +357,7 @@ class SpecifiedsPlan:
         self.given = frozenset(name for names, _, _ in groups for name in names)
         if (complete or together) and len(self.given) < len(self.symbols):
             missing = [s for s in self.symbols if s not in self.given]
-            raise ValueError(f"`{argument}` has no value for the specifieds {describe(missing)}.")
+            raise ValueError(f"`{argument}` has no value for {describe(missing)}.")
         self.inputs = Inputs(numbers, tuple(sampled), tuple(functions))
 
     def _take(

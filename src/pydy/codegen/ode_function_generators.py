@@ -314,8 +314,8 @@ def _refuse_repeated(symbols: list[AnySymbol]) -> None:
     repeated = sorted({str(s) for s in symbols if symbols.count(s) > 1})
     if repeated:
         raise ValueError(
-            f"{describe(repeated)} are given more than once among `coordinates`, `speeds`, "
-            "`specifieds` and `constants`."
+            "`coordinates`, `speeds`, `specifieds` and `constants` must have each symbol once, got "
+            f"more than once: {describe(repeated)}."
         )
 
 

@@ -505,8 +505,8 @@ def _check_symbols(equations: Equations, symbols: Iterable[AnySymbol], name: str
     ]
     if unsupported:
         raise NotImplementedError(
-            f"The contact {name!r} depends on {describe(unsupported)}, which is no state. Write a "
-            "prescribed motion as an expression of time."
+            f"Of functions of time, the contact {name!r} may depend on states alone, got "
+            f"{describe(unsupported)}. Write a prescribed motion as an expression of time."
         )
 
 

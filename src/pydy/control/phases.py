@@ -92,8 +92,8 @@ class Phases(TrajectorySearch[PhasedTrajectory]):
         junctions = listed("links", links, "a dictionary for each junction")
         if len(junctions) != len(problems) - 1:
             raise ValueError(
-                f"`links` must have a dictionary for each of the {len(problems) - 1} junctions "
-                f"between {len(problems)} phases, got {len(junctions)}. An empty one links all "
+                f"`links` must have a dictionary for each junction between phases, "
+                f"{len(problems) - 1}, got {len(junctions)}. An empty one links all "
                 "states that both phases have."
             )
         self._links = [

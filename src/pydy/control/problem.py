@@ -25,7 +25,7 @@ from pydy._checks import (
 )
 from pydy._errors import OptimizationError
 from pydy._judges import warn_of_missing_derivatives
-from pydy._names import some, unique_names
+from pydy._names import counted, some, unique_names
 from pydy._problem import with_settings
 from pydy._rank import DIGITS, rank
 from pydy.codegen import SpecifiedsPlan, checked_expression
@@ -653,9 +653,9 @@ class OptimalControl(TrajectorySearch[OptimalTrajectory]):
         snapshot, duration = self._snapshot, transcription.split(solution.z)[3]
         if not duration > 0.0:  # solvers let unknowns pass their bounds by a tolerance
             raise OptimizationError(
-                f"The search ended at a duration of zero after {solution.iterations} "
-                f"iterations: the objective favours a motion of no length. Give "
-                f"`bounds[{self._symbol}]` a positive lower limit.",
+                f"The search ended at a duration of zero after "
+                f"{counted(solution.iterations, 'iteration')}: the objective favours a motion of "
+                f"no length. Give `bounds[{self._symbol}]` a positive lower limit.",
                 None,
             )
         rate_function = RateFunction(snapshot.code.compiled("rates"), snapshot.inputs)

@@ -16,6 +16,7 @@ import numpy as np
 from pydy._checks import ascending, integer, real_array, shown
 from pydy._errors import OptimizationError, warn_user
 from pydy._kernel import Inputs, Kernel
+from pydy._names import counted
 from pydy._rank import ROUNDING, or_one
 from pydy.control.transcription import Transcription, inside
 from pydy.control.tuning import (
@@ -367,7 +368,8 @@ def warn_of_refinements(
             "meshes are in vain. Move `start` or `end`, or pass a larger `mesh_tol`"
         )
     warn_user(
-        f"After {count} refinements the mesh of {len(errors)} intervals has {status}. {advice}."
+        f"After {counted(count, 'refinement')} the mesh of {counted(len(errors), 'interval')} has "
+        f"{status}. {advice}."
     )
 
 

@@ -432,7 +432,8 @@ def why_in_vain(
         return solution.message
     reason = (
         f"at the guess all derivatives of the equations by {', '.join(names)} are zero, so that "
-        "the search cannot tell which way to change it. Give a `guess` where they are not"
+        "the search has no direction in which to change a control. Give a `guess` where they are "
+        "not"
     )
     return reason if solution.status == INFEASIBLE else f"{solution.message}; {reason}"
 

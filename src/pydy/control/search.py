@@ -12,6 +12,7 @@ import numpy as np
 
 from pydy._checks import check_mapping, flag, positive, real_array, refuse_twice
 from pydy._errors import OptimizationError, finished_before
+from pydy._names import counted
 from pydy._optional import progress_of
 from pydy.control.accuracy import (
     relative_errors,
@@ -463,7 +464,7 @@ class TrajectorySearch(Generic[Result]):
             raise OptimizationError(
                 "The search for an optimal trajectory"
                 f"{f' in {len(parts)} phases' if several else ''} ended after "
-                f"{solution.iterations} iterations: {why_in_vain(solution, begun)}. "
+                f"{counted(solution.iterations, 'iteration')}: {why_in_vain(solution, begun)}. "
                 f"{worst_rows(nlp, solution, np.nan if several else motion.duration)}"
                 + next((hint for problem in self._problems if (hint := problem._hint)), ""),
                 motion,

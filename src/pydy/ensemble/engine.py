@@ -39,13 +39,13 @@ from pydy.solvers import Outcome
 if TYPE_CHECKING:
     from xarray import Dataset
 
-# If eight samples, integrated one by one, take less time than this (in seconds), blocks are larger:
-# a block costs 0.5 ms, and an interrupt loses at most 0.2 s of work in a block of 64.
+# Blocks are enlarged if eight samples, integrated one by one, take less time than this (s): each
+# block costs 0.5 ms, and an interrupt then loses at most 0.2 s of work in a block of 64.
 BRIEF = 0.02
 
-# Dask tasks for each thread of a cluster: the threads that end first wait for one block, 3 % of the
-# work of a thread in the mean. With half as many they wait twice as long; with twice as many, tasks
-# of short motions cost more than that.
+# Dask tasks for each thread of a cluster. At the end a thread waits for half a task on average, 3 %
+# of its work. With half as many tasks it waits twice as long; with twice as many, the overhead of
+# short motions exceeds the gain.
 BLOCKS_PER_THREAD = 16
 
 T = TypeVar("T")
@@ -82,9 +82,9 @@ class Ensemble:
     def _task_sizes(self) -> tuple[int, ...]:
         """The sizes of the blocks that are Dask tasks, along each dimension.
 
-        A block costs the scheduler tens of milliseconds, as long as some hundred short motions
-        take. A cluster therefore gets few blocks, but one for each of its threads, and where there
-        are many, so many that all threads end at about the same time.
+        A task costs the scheduler tens of milliseconds, as much as hundreds of short motions. A
+        cluster therefore gets few tasks: at least one for each thread, and with many samples
+        `BLOCKS_PER_THREAD`, so that all threads end at about the same time.
         """
         is_automatic = isinstance(self.chunks, str) and self.work.model.in_lanes
         threads = self._threads_of_cluster() if is_automatic else 0
@@ -104,14 +104,14 @@ class Ensemble:
         # Blocks are so small that all threads end at about the same time. Results do not depend on
         # the sizes.
         if self.samples.size <= SMALLEST_BLOCK and model.in_lanes and not self.progress:
-            every = tuple(slice(0, size) for size in shape)  # Ctrl-C works in this thread
-            done = _SerialExecutor().submit(self.work, self.samples)
-            _check(done, every, self.samples)
-            return self._dataset(done.result())
-        share = -(-self.samples.size // (4 * self._threads()))
+            whole = tuple(slice(0, size) for size in shape)  # Ctrl-C works in this thread
+            future = _SerialExecutor().submit(self.work, self.samples)
+            _check(future, whole, self.samples)
+            return self._dataset(future.result())
+        quarter = -(-self.samples.size // (4 * self._threads()))  # of the samples of a thread
         # Slow integrations get small blocks: an interrupt preserves those that are finished.
-        number = max(SMALLEST_BLOCK, min(prod(self.sizes), share)) if model.in_lanes else 8
-        pending = self._blocks(number)
+        block_size = max(SMALLEST_BLOCK, min(prod(self.sizes), quarter)) if model.in_lanes else 8
+        pending = self._blocks(block_size)
         results: dict[str, LabelledArray] = {}
         lock = Lock()
         states = None
@@ -129,17 +129,7 @@ class Ensemble:
             block_results = self.work(part, stop, block_states)
             with lock:
                 if not results:  # allocate all arrays at once, in case memory runs out
-                    every = {}
-                    for name, v in block_results.items():
-                        sizes = (*shape, *v.values.shape[len(block) :])
-                        preallocated = written_in_place.get(name)
-                        values = (
-                            np.empty(sizes, v.values.dtype)
-                            if preallocated is None
-                            else preallocated
-                        )
-                        every[name] = LabelledArray(v.dims, values.reshape(sizes), v.attrs)
-                    results.update(every)
+                    results.update(self._allocated(block_results, written_in_place))
             check_forms(block_results, self._forms(results), block)
             for name, v in block_results.items():
                 if name not in written_in_place:
@@ -149,10 +139,10 @@ class Ensemble:
 
         try:
             with progress_of(self.progress, " samples", self.samples.size) as report:
-                if not model.in_lanes and share > number:
+                if not model.in_lanes and quarter > block_size:
                     first = pending[0]
-                    if self._is_brief(first, compute_block):  # it is computed once more
-                        pending[:] = self._blocks(min(SMALLEST_BLOCK, share))
+                    if self._is_brief(first, compute_block):  # it is computed again
+                        pending[:] = self._blocks(min(SMALLEST_BLOCK, quarter))
                     else:
                         report(_size(first))
                 self._on_threads(tuple(pending), compute_block, report)
@@ -171,9 +161,21 @@ class Ensemble:
             ) from None
         return self._dataset(results)
 
-    def _blocks(self, number: int) -> list[Block]:
-        """Return blocks of at most so many samples, in complete rows."""
-        sizes = block_sizes(self.samples.dims, number, number)
+    def _allocated(
+        self, block_results: Mapping[str, LabelledArray], written_in_place: Mapping[str, np.ndarray]
+    ) -> dict[str, LabelledArray]:
+        """Return arrays for the results of all samples, like those of a block."""
+        arrays = {}
+        for name, v in block_results.items():
+            sizes = (*self.samples.shape, *v.values.shape[len(self.samples.dims) :])
+            values = written_in_place.get(name)
+            values = np.empty(sizes, v.values.dtype) if values is None else values.reshape(sizes)
+            arrays[name] = LabelledArray(v.dims, values, v.attrs)
+        return arrays
+
+    def _blocks(self, size: int) -> list[Block]:
+        """Return blocks of at most `size` samples, in complete rows."""
+        sizes = block_sizes(self.samples.dims, size, size)
         return [block for _, block in self.samples.blocks(sizes)]
 
     def _is_brief(self, block: Block, do: Callable[[Block, Callable[[], bool]], None]) -> bool:

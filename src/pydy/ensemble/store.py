@@ -50,14 +50,13 @@ _OF_ZARR = "zarr.json"
 def file_names(names: Iterable[str]) -> dict[str, str]:
     """Return a file name for each name; the same one if it is valid everywhere."""
     unique = list(dict.fromkeys(names))
-    valid = {name for name in unique if _serves(name)}
+    valid = {name for name in unique if _is_valid_everywhere(name)}
     files: dict[str, str] = {}
     used: set[str] = set()
-    for name in sorted(
-        unique, key=lambda name: name not in valid
-    ):  # valid names first: they stay unchanged
+    # Valid names first, so that they are not changed.
+    for name in sorted(unique, key=lambda name: name not in valid):
         stem = name if name in valid else _REFUSED.sub("_", name).strip(".")
-        if not _serves(stem):
+        if not _is_valid_everywhere(stem):
             stem = "_" + stem.lstrip("_")
         chosen, number = stem, 2
         while chosen.casefold() in used:
@@ -77,7 +76,8 @@ def file_names(names: Iterable[str]) -> dict[str, str]:
     return {name: files[name] for name in unique}
 
 
-def _serves(name: str) -> bool:
+def _is_valid_everywhere(name: str) -> bool:
+    """Whether a name is the name of a directory on every system, and unused by Zarr and pydy."""
     folded = name.casefold()
     return not (
         _REFUSED.search(name)
@@ -139,11 +139,11 @@ def parts_of(work: Work, samples: Samples, sizes: Sequence[int], name: str = "")
     model = work.model
     events, constraints = model.options.events, model.options.constraints
     kernels = [None if constraints is None else constraints.kernel]
-    about_events = None
+    event_traits = None
     if events is not None:
         kernels += [events.values, events.resets]
         names = ("name", "direction", "terminal", "resets")
-        about_events = tuple(tuple(getattr(e, n) for e in events.traits) for n in names)
+        event_traits = tuple(tuple(getattr(e, n) for e in events.traits) for n in names)
     sensitivities, motions = model.sensitivities, model.motions
     programs = [model.rates, model.outputs, model.jacobian]
     programs += [] if sensitivities is None else sensitivities.programs
@@ -153,7 +153,7 @@ def parts_of(work: Work, samples: Samples, sizes: Sequence[int], name: str = "")
         "the version of pydy": (__version__, _CHUNKS),
         "equations": (
             [None if program is None else program.digest for program in programs],
-            (model.states, model.output_names, about_events),
+            (model.states, model.output_names, event_traits),
             None if sensitivities is None else sensitivities.identity,
         ),
         "contacts": None if motions is None else motions.identity,
@@ -183,8 +183,8 @@ def check(path: str, parts: Mapping[str, str], resume: bool) -> bool:
     """Return whether there is a store to resume; raise an error if the path has other content."""
     if not Path(path).exists():
         target = Path(os.path.realpath(path))
-        above = next(folder for folder in target.parents if folder.exists())
-        if target.is_symlink() or not above.is_dir():
+        nearest = next(folder for folder in target.parents if folder.exists())
+        if target.is_symlink() or not nearest.is_dir():
             reason = "is a link that leads to itself" if target.is_symlink() else "is below a file"
             raise ValueError(f"`store` must be a new path, got '{path}', which {reason}.")
         return False
@@ -395,8 +395,8 @@ def _checksums_of(
     for name, array in arrays.items():
         cell = *position, *(0 for _ in array.chunks[len(position) :])
         file = Path(path, array.basename, array.metadata.encode_chunk_key(cell))
-        belongs = zlib.crc32(repr((group.attrs[_TOKEN], name, position)).encode())
-        checksums.append(zlib.crc32(file.read_bytes(), belongs))
+        identity = zlib.crc32(repr((group.attrs[_TOKEN], name, position)).encode())
+        checksums.append(zlib.crc32(file.read_bytes(), identity))
     return position, np.array(checksums, dtype=np.uint32)
 
 

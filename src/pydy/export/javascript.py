@@ -15,8 +15,8 @@ from pydy.solvers import method_arrays, native_constants, portable_sources, tabl
 
 # -- A Program as straight-line JavaScript ---------------------------------------------------------
 # The expressions are those of C, which are also valid JavaScript once functions with the names of
-# the C library are defined, as by `PRELUDE`. Numbers are 64-bit floats in both. Arrays are made
-# once, beside the functions.
+# the C library are defined, as by `PRELUDE`. Numbers are 64-bit floats in both. Arrays are
+# allocated once, outside the functions.
 
 
 _MATHEMATICS = """\
@@ -45,8 +45,9 @@ function erfc(x) {
 }
 
 """
-# What C has beside JavaScript in linear algebra: types, and macros for lanes and compilers.
-_OF_C = (
+# C syntax in the linear algebra that JavaScript does not have: types, and macros for lanes and
+# compilers.
+_C_SYNTAX = (
     (r"(?:static inline|INLINE|APART) \w+ ", "function "),
     (r"(?:const )?(?:double|Real|int\d+_t) \*?(\w+)(?=[,)])", r"\1"),
     (r"const (?:double|Real|int\d+_t) ", "const "),
@@ -58,8 +59,8 @@ _OF_C = (
 
 
 def _script(code: str) -> str:
-    """Return functions of C as JavaScript, which has the same arithmetic."""
-    for pattern, replacement in _OF_C:
+    """Translate C functions to JavaScript, which has the same arithmetic."""
+    for pattern, replacement in _C_SYNTAX:
         code = re.sub(pattern, replacement, code)
     return code
 
@@ -69,7 +70,7 @@ PRELUDE = _MATHEMATICS + "\n".join(
 )
 
 LONGEST = 4000
-"""Operations in one function at most: engines leave longer ones to their interpreter."""
+"""Largest number of operations in one function. Engines interpret longer ones, uncompiled."""
 
 _VECTOR = "const {name} = new Float64Array({many});"
 _MATRIX = (
@@ -174,7 +175,7 @@ METHOD = "dop853"
 
 
 def literal(value: object) -> str:
-    """Return JSON that can stand in a script of an HTML page, whatever its strings hold."""
+    """Return JSON in which no string can end the script element of an HTML page."""
     text = json.dumps(value, allow_nan=False, separators=(",", ":"))
     return text.replace("<", "\\u003c").replace(">", "\\u003e").replace("&", "\\u0026")
 
@@ -220,25 +221,13 @@ def javascript_object(model: Model, extra: Sequence[str] = ()) -> str:
     parts = {
         "PRELUDE": PRELUDE,
         "CODE": code,
-        "KEPT": buffers,
+        "BUFFERS": buffers,
         "BOUND": bound,
         "CONSTANTS": _constants(integrator + projection),
         "INTEGRATOR": integrator,
         "PROJECTION": projection,
         "METHOD": literal(_method()),
-        "INFO": literal(
-            {
-                "name": model.name,
-                "title": model.title,
-                "states": _variables(model.states),
-                "inputs": _variables(model.inputs),
-                "constants": _variables(model.constants),
-                "outputs": _variables(model.outputs),
-                "unknowns": model.unknowns,
-                "start": model.start,
-                "stop": model.stop,
-            }
-        ),
+        "INFO": literal(_description(model)),
         "EVENTS": literal(asdict(model.events)),
         "SYSTEM_EVENTS": _EVENTS if model.events else "null",
         "SYSTEM_PROJECTION": (
@@ -254,7 +243,7 @@ def javascript_object(model: Model, extra: Sequence[str] = ()) -> str:
         ),
         "EXTRAS": extras,
     }
-    # In one pass: a name of the user's may look like a place to put something.
+    # In one pass, because a name that the user chose may look like a placeholder.
     return re.sub(r"/\*([A-Z_]+)\*/", lambda m: parts[m[1]], resource("model.js"))
 
 
@@ -279,10 +268,25 @@ def _constants(text: str) -> str:
 
 
 def _projection() -> str:
-    """Return what holds constraints, with the factorisation of the native solvers."""
+    """Return the projection onto the constraints, with the factorisation of native solvers."""
     header = portable_sources("projection.h")["projection.h"]
     algebra = header[header.index("INLINE void set_identity") : header.index("/* Compute `step`")]
     return resource("projection.js").replace("/*ALGEBRA*/", _script(algebra))
+
+
+def _description(model: Model) -> dict[str, object]:
+    """Return the names, default values and time span of a model."""
+    return {
+        "name": model.name,
+        "title": model.title,
+        "states": _variables(model.states),
+        "inputs": _variables(model.inputs),
+        "constants": _variables(model.constants),
+        "outputs": _variables(model.outputs),
+        "unknowns": model.unknowns,
+        "start": model.start,
+        "stop": model.stop,
+    }
 
 
 def _variables(variables: Sequence[Variable]) -> list[dict[str, object]]:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pydy._errors import RobotFileError, warn_user
+from pydy._names import counted
 
 if TYPE_CHECKING:
     from pydy.viz import Mesh, Shape
@@ -174,7 +175,9 @@ class Tree:
         self._check_joints_move_mass(heavy)
         self.left_out += negative
         if negative:
-            further = f" So are {len(negative) - 1} others." if negative[1:] else ""
+            further = (
+                f" The same in {counted(len(negative) - 1, 'other link')}." if negative[1:] else ""
+            )
             warn_user(f"{negative[0][0].upper()}{negative[0][1:]}.{further} Correct the file.")
 
     def _check_joints_move_mass(self, heavy: list[bool]) -> None:

@@ -18,7 +18,7 @@ from xml.parsers import expat
 import numpy as np
 
 from pydy._errors import RobotFileError, warn_user
-from pydy._names import unused_name
+from pydy._names import counted, unused_name
 from pydy._rank import ROUNDED
 from pydy._rotations import to_quaternions
 from pydy.robots.tree import (
@@ -401,11 +401,11 @@ def _warn_of_inertias(reader: _UrdfReader, links: dict[str, ElementTree.Element]
             f"No body has the inertia of the link {impossible_links[0]}: a principal moment is "
             "larger than the other two together"
             + (
-                f"; nor those of {len(impossible_links) - 1} other links of this file"
+                f"; the same in {counted(len(impossible_links) - 1, 'other link')} of this file"
                 if impossible_links[1:]
                 else ""
             )
-            + ". They are taken as they are. Correct them in the file."
+            + ". The file's values are used. Correct them in the file."
         )
 
 
@@ -413,7 +413,8 @@ def _warn_of_ball_joints(links: list[Link]) -> None:
     """Warn once of the joint type 'spherical', which other programs may not support."""
     ball_joints = [joint for link in links for joint in link.joints if joint.kind == "ball"]
     if ball_joints:
-        others_text = f", as are {len(ball_joints) - 1} others" if ball_joints[1:] else ""
+        further = len(ball_joints) - 1
+        others_text = f" (and {counted(further, 'other joint')})" if further else ""
         warn_user(
             f"The joint '{ball_joints[0].name}' ({ball_joints[0].location}){others_text} is of the "
             "type 'spherical', which the URDF format does not have. It is read as a ball joint, "

@@ -122,7 +122,7 @@ class _Poses:
             x=names.states,
             t=[names.time],
         )
-        # A trajectory from a file has names in the place of symbols.
+        # A trajectory that was loaded from a file has names instead of symbols.
         self.by_name = {s: node for s, node in self.read.atoms.items() if isinstance(s, str)}
         unit = [[graph.one if i == j else graph.zero for j in range(3)] for i in range(3)]
         self.rotations: dict[ReferenceFrame, Matrix3] = {geometry.reference: unit}
@@ -207,7 +207,7 @@ class _Poses:
         return [graph.sum(term) for term in terms]
 
     def nodes(self, expressions: Iterable[sm.Expr | float], description: str) -> list[int]:
-        """Return the nodes of expressions, having checked that each symbol has a value."""
+        """Return the nodes of expressions; raise an error if a symbol has no value."""
         rows = [sm.sympify(e) for e in expressions]
         for symbol in find_symbols(rows):
             if symbol not in self.read.atoms:
@@ -262,7 +262,7 @@ class SceneMotion:
 
 
 def forward(motion: SceneMotion) -> SceneMotion:
-    """Return a SceneMotion whose times ascend: a film runs forward."""
+    """Return a SceneMotion with ascending times: animations play forward in time."""
     return motion.at_rows(np.arange(len(motion.times))[::-1]) if descends(motion.times) else motion
 
 
@@ -330,7 +330,7 @@ def motion_of_trajectory(
             f"`animate` takes a Trajectory, or times and states, got {typed(trajectory)}."
         )
     symbols = tuple(trajectory.state_symbols)
-    # A trajectory from a file has names in the place of symbols.
+    # A trajectory that was loaded from a file has names instead of symbols.
     if model is not None and set(map(name_of, model.states)) != set(map(name_of, symbols)):
         raise ValueError(
             f"The trajectory is one of another system: it has the states {describe(symbols)}, the "
@@ -365,7 +365,7 @@ def motion_of_arrays(
         )
     symbols = tuple(listed("symbols", symbols, "functions of time", hashable=True))
     symbols = tuple(s.removesuffix("(t)") if isinstance(s, str) else s for s in symbols)
-    refuse_twice(_alike(symbols, "symbols"), "symbols")
+    refuse_twice(_symbols_of_names(symbols, "symbols"), "symbols")
     t, x = checked_samples(times, states, len(symbols))
     columns = []
     inputs = merged(check_mapping("specifieds", specifieds))
@@ -393,17 +393,18 @@ def _constants(constants: BySymbol[float] | None) -> dict[SymbolOrName, float]:
     return {symbol: number(value, f"`constants[{symbol}]`") for symbol, value in values.items()}
 
 
-def _alike(keys: Iterable[SymbolOrName], argument: str) -> list[SymbolOrName]:
-    """Return keys, with names replaced by the symbols among the keys that have them."""
+def _symbols_of_names(keys: Iterable[SymbolOrName], argument: str) -> list[SymbolOrName]:
+    """Return keys, with each name replaced by the symbol of that name, if it is among them."""
     keys = [*keys]
     lookup = SymbolIndex([key for key in keys if not isinstance(key, str)], argument)
     return [lookup.meaning(key, argument) for key in keys]
 
 
 def sampled(times: np.ndarray, step: float | None) -> np.ndarray:
-    """Return the indices of the samples to keep: no two closer than `step` but the last.
+    """Return the indices of samples at least `step` apart, except for the last one.
 
-    Only samples that were computed are kept, so the poses at them are exact; without a step, all.
+    A subset of the computed samples is selected, so that their poses are not interpolated. Without
+    a step, all are selected.
 
     Examples
     --------
@@ -415,15 +416,15 @@ def sampled(times: np.ndarray, step: float | None) -> np.ndarray:
     last = len(times) - 1
     if step is None:
         return np.arange(last + 1)
-    keep = [0]
-    close = step * (1 - DIGITS)  # rounded times must not lose a frame
+    selected = [0]
+    least = step * (1 - DIGITS)  # times one step apart may be rounded to slightly less
     while True:
-        k = max(int(np.searchsorted(times, times[keep[-1]] + close)), keep[-1] + 1)
+        k = max(int(np.searchsorted(times, times[selected[-1]] + least)), selected[-1] + 1)
         if k > last:
             break
-        keep.append(k)
-    if keep[-1] != last and times[last] > times[keep[-1]]:
-        if len(keep) > 1 and times[last] - times[keep[-2]] < 1.5 * step:
-            keep.pop()
-        keep.append(last)
-    return np.array(keep)
+        selected.append(k)
+    if selected[-1] != last and times[last] > times[selected[-1]]:
+        if len(selected) > 1 and times[last] - times[selected[-2]] < 1.5 * step:
+            selected.pop()
+        selected.append(last)
+    return np.array(selected)

@@ -34,7 +34,7 @@ from pydy._version import __version__
 from pydy.viz import shapes
 from pydy.viz.animation import Animation, Item, ViewSettings, frame
 from pydy.viz.colours import CYCLE, MODES
-from pydy.viz.curves import BUCKETS, thinned
+from pydy.viz.curves import BUCKETS, TimeSeries, thinned
 from pydy.viz.live import LivePage, Witness
 from pydy.viz.surfaces import TUBE, helix, surface
 
@@ -123,9 +123,8 @@ def open_in_browser(html: str) -> Path:
             folder = os.lstat(old.parent)  # it must not be a link, nor belong to another user
             ours = getattr(os, "geteuid", int)() == folder.st_uid  # 0 on Windows
             age = time.time() - os.lstat(old).st_mtime
-            if (
-                ours and stat.S_ISDIR(folder.st_mode) and age > 3600.0
-            ):  # browsers have read it long ago
+            # After an hour the browser has read the page.
+            if ours and stat.S_ISDIR(folder.st_mode) and age > 3600.0:
                 old.unlink()
                 old.parent.rmdir()
     path = Path(tempfile.mkdtemp(prefix="pydy-scene-")) / "scene.html"
@@ -168,17 +167,8 @@ def page_data(
         live_data["live"] = {"code": code, **data, "buckets": BUCKETS}
     clocks = _Clocks()
     series = [
-        {
-            "label": label,
-            "parts": label_parts(label),
-            "unit": unit_name,
-            "colour": CYCLE[(k + 1) % len(CYCLE)],
-            "clock": clocks.find(drawn.times),
-            "values": _packed(drawn.values, np.float64),
-        }
-        for k, (label, curve) in enumerate(animation.series.items())
-        for unit_name, factor in [settings.units.get(label, _NO_UNIT)]
-        for drawn in [thinned(curve._replace(values=factor * curve.values))]
+        _curve(label, curve, settings.units.get(label, _NO_UNIT), CYCLE[k % len(CYCLE)], clocks)
+        for k, (label, curve) in enumerate(animation.series.items(), 1)
     ]
     return {
         **live_data,
@@ -191,16 +181,7 @@ def page_data(
         "clocks": clocks.entries,
         "series": series,
         "events": [{"time": t, "name": name} for t, name in animation.events],
-        "modes": [
-            {
-                "name": name,
-                "spans": [
-                    {"from": first, "to": last, "mode": mode, "colour": MODES.get(mode)}
-                    for first, last, mode in spans
-                ],
-            }
-            for name, spans in animation.modes.items()
-        ],
+        "modes": [_mode_spans(name, spans) for name, spans in animation.modes.items()],
         "view": {
             "unit": unit,
             "up": framing.up_axis.tolist(),
@@ -219,6 +200,33 @@ def page_data(
     }
 
 
+def _curve(
+    label: str, curve: TimeSeries, unit: tuple[str, float], colour: str, clocks: _Clocks
+) -> dict[str, object]:
+    """Return the data of a curve below the picture, in its unit (name, factor)."""
+    unit_name, factor = unit
+    drawn = thinned(curve._replace(values=factor * curve.values))
+    return {
+        "label": label,
+        "parts": label_parts(label),
+        "unit": unit_name,
+        "colour": colour,
+        "clock": clocks.find(drawn.times),
+        "values": _packed(drawn.values, np.float64),
+    }
+
+
+def _mode_spans(name: str, spans: Sequence[tuple[float, float, str]]) -> dict[str, object]:
+    """Return the time spans in which a contact has each of its modes."""
+    return {
+        "name": name,
+        "spans": [
+            {"from": first, "to": last, "mode": mode, "colour": MODES.get(mode)}
+            for first, last, mode in spans
+        ],
+    }
+
+
 def _packed(array: np.ndarray, dtype: DTypeLike = np.float32) -> str:
     little = np.ascontiguousarray(array, dtype=np.dtype(dtype).newbyteorder("<"))
     return b64encode(little.tobytes()).decode("ascii")
@@ -234,14 +242,14 @@ def _column(array: np.ndarray, changing: bool = False) -> dict[str, object]:
 
 
 class _Clocks:
-    """Times of curves; shared ones are stored once."""
+    """Times of curves, stored once for all curves that share them."""
 
     def __init__(self) -> None:
         self.entries: list[str] = []
 
     def find(self, times: np.ndarray) -> int:
-        """Return the number of the entry that holds some times."""
-        # 64 bits, as of the values: a clock far from zero, or small changes of a large value.
+        """Return the index of the entry with these times, which is added if it is missing."""
+        # 64 bits, as for values: times may start far from zero, and large values change little.
         entry = _packed(times, np.float64)
         if entry not in self.entries:
             self.entries.append(entry)
@@ -281,7 +289,7 @@ class _Tracks:
         self.anchors.append((frame, point))
         self._bases.append((frame, rotations, positions))
         quaternions = to_quaternions(rotations)
-        # Equal signs of neighbours, so that interpolation takes the shorter rotation.
+        # q and −q are the same rotation: choose signs so that interpolation takes the shorter way.
         flips = np.sign(np.einsum("mi,mi->m", quaternions[1:], quaternions[:-1]))
         quaternions[1:] *= np.cumprod(np.where(flips == 0, 1.0, flips))[:, None]
         changing = self.witness is not None
@@ -300,9 +308,9 @@ class _Tracks:
         None if they move relative to each other.
         """
         witness = self.witness
-        away = points - points[:, :1]
+        relative = points - points[:, :1]
         for carrier, rotations in self._frames.items():
-            offset = self._seen_from(rotations, away)
+            offset = self._seen_from(rotations, relative)
             if self._constant(offset) and (
                 witness is None
                 or all(witness.rigid(carrier, symbols[0], symbol) for symbol in symbols)
@@ -365,8 +373,7 @@ def _visual(item: Item, tracks: _Tracks) -> dict[str, object]:
             "kind": "Mesh",
             "smooth": isinstance(shape, (shapes.TorusKnot, shapes.Tube)),
         }
-    lengths = (
-        () if isinstance(shape, shapes.Trace) else shape.lengths
-    )  # the size of a trace is a duration
+    # The size of a trace is a duration.
+    lengths = () if isinstance(shape, shapes.Trace) else shape.lengths
     size = {name: v / unit if name in lengths else v for name, v in shape.dimensions()}
     return {**entry, "size": size}

@@ -17,6 +17,7 @@ from pydy._errors import (
 )
 from pydy._integration import simulate
 from pydy._motion import native_solver
+from pydy._names import counted
 from pydy._problem import FIT, Problem
 from pydy.analysis.fits.problem import FitProblem
 from pydy.analysis.fits.result import Minimum
@@ -59,9 +60,9 @@ def collocated(
         )
     if not ended.solved:
         warn_user(
-            f"The fit did not converge in {ended.iterations} iterations: {ended.message}. "
-            "The estimates are the last ones. Start closer to the solution, set `bounds` or raise "
-            "`most`."
+            f"The fit did not converge in {counted(ended.iterations, 'iteration')}: "
+            f"{ended.message}. The estimates are the last ones. Start closer to the solution, set "
+            "`bounds` or raise `most`."
         )
     residuals = []
     for d, missed in zip(problem.trials, result.residuals, strict=True):

@@ -8,6 +8,7 @@ import numpy as np
 import scipy
 
 from pydy._errors import FitInterrupted, note_finished, warn_user
+from pydy._names import counted
 from pydy.analysis.tuning import FIT_TOLERANCE, LARGEST_RESIDUAL
 
 
@@ -87,9 +88,9 @@ def estimate(
         ) from stop
     if warns and result.status == 0:
         warn_user(
-            f"The fit did not converge in {most} evaluations; the estimates are the last ones. "
-            "Start closer to the solution, set `bounds`, or use `segments` for long or unstable "
-            "motions."
+            f"The fit did not converge in {counted(most, 'evaluation')}; the estimates are "
+            "the last ones. Start closer to the solution, set `bounds`, or use `segments` for long "
+            "or unstable motions."
         )
     return z, residuals, jacobian, result
 

@@ -143,8 +143,8 @@ def checked_samples(trial: Trial, label: str, times: np.ndarray) -> np.ndarray:
     values = np.stack(columns, axis=1)
     if np.isnan(values).all():
         raise ValueError(
-            f"`measured` of {label} must hold at least one sample that is not NaN, but all "
-            f"{values.size} are. Leave the trial out."
+            f"`measured` of {label} must hold at least one sample that is not NaN, got none. "
+            "Leave the trial out."
         )
     return values
 

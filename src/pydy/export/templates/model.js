@@ -2,7 +2,7 @@
 "use strict";
 /*PRELUDE*/
 /*CODE*/
-/*KEPT*/
+/*BUFFERS*/
 /*CONSTANTS*/
 /*INTEGRATOR*/
 /*PROJECTION*/
