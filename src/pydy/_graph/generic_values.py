@@ -25,7 +25,7 @@ _BITS = 24  # of an arbitrary number: sums and products of two have no rounding 
 _MASK = 2**64 - 1
 
 
-class Sides(Protocol):
+class OneSidedNodes(Protocol):
     """The nodes and conditions on the side of derivatives; see `pydy._graph.one_sided`."""
 
     def one_sided(self, node: int) -> int: ...
@@ -50,12 +50,12 @@ class GenericValues:
         From nodes to those with arbitrary numbers.
     """
 
-    def __init__(self, graph: Graph, facts: NodeFacts, sides: Sides, varying: int) -> None:
+    def __init__(self, graph: Graph, facts: NodeFacts, sides: OneSidedNodes, varying: int) -> None:
         self._graph, self._facts, self._sides = graph, facts, sides
         self._varying = varying
         self.nodes: dict[int, int] = {}
 
-    def copy(self, graph: Graph, facts: NodeFacts, sides: Sides) -> GenericValues:
+    def copy(self, graph: Graph, facts: NodeFacts, sides: OneSidedNodes) -> GenericValues:
         """Return the same for a copy of the graph."""
         twin = GenericValues(graph, facts, sides, self._varying)
         twin.nodes = self.nodes.copy()
