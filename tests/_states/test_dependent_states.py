@@ -1,6 +1,7 @@
 """set_dependent_initial_conditions: states that satisfy the constraints."""
 
 import re
+import warnings
 
 import numpy as np
 import pytest
@@ -381,3 +382,30 @@ def test_which_states_can_be_solved_for_takes_no_derivatives_of_accelerations():
     derivatives = {key[0] for key in system.model._kernels if key[1:2] == ("by",)}
     assert "velocity" in derivatives
     assert "rates" not in derivatives
+
+
+@pytest.mark.parametrize("metre", [1.0, 1e3, 1e-9])
+@pytest.mark.parametrize("use_jac", [False, True])
+@pytest.mark.parametrize("guess", [0.0, 0.1])
+def test_a_crank_that_is_driven_from_zero_is_there(metre, use_jac, guess):
+    frame, origin = inertial_frame()
+    angles, lengths = me.dynamicsymbols("a b c"), np.array([0.3, 0.8, 0.6]) * metre
+    omega, ends, bodies = sm.Symbol("omega"), [], []
+    for k, (angle, length) in enumerate(zip(angles, lengths.tolist(), strict=True)):
+        bar = me.ReferenceFrame(f"bar{k}")
+        bar.orient_axis(frame, frame.z, sum(angles[: k + 1]) if k < 2 else angle)
+        start = (origin, *ends)[k] if k < 2 else origin.locatenew("D", 0.9 * metre * frame.x)
+        ends.append(start.locatenew(f"P{k}", length * bar.x))
+        bodies.append(me.Particle(f"end {k}", ends[-1], 1))
+    gap = ends[1].pos_from(ends[2])
+    constraints = [gap.dot(frame.x), gap.dot(frame.y), angles[0] - omega * me.dynamicsymbols._t]
+    linkage = Definition(frame, angles, bodies=bodies, holonomic_constraints=constraints)
+    system = System(linkage, {omega: 6.0}, times=[0.0, 1.0])
+    system.initial_conditions = dict(zip(angles, (guess, 1.0, 1.5), strict=True))
+    with warnings.catch_warnings():
+        warnings.filterwarnings("ignore", "The constraints do not allow", PyDyUserWarning)
+        system.set_dependent_initial_conditions(use_jac=use_jac)
+    a, b, c = (system.initial_conditions[angle] for angle in angles)
+    # Triangle of the ground less the crank (0.6), the coupler and the rocker: the law of cosines.
+    close([a, b, c], [0.0, np.arccos(2 / 3), 2 * np.arccos(2 / 3)], 1e-12)
+    assert a == 0.0

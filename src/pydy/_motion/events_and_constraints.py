@@ -159,6 +159,12 @@ def compile_events(
         else model.compiled_by(("reach", *(expressions[k] for k in sources)), far),
         resets=model.compiled_by(key, resets) if any(event.resets for event in traits) else None,
         sources=events,
+        input_rates=model.compiled_by(
+            ("rates of the events by specifieds", *expressions),
+            lambda: _input_rates_program(model.assembly, expressions),
+        )
+        if any("r" in inputs for inputs in groups)
+        else None,
     )
 
 
@@ -214,6 +220,19 @@ def event_rates_program(
     if not bounds:
         return lower_nodes(fork, {"rates": totals})
     return lower_nodes(fork, {"rates": totals, "bounds": rounding_bounds(graph, nodes)}, as_is=True)
+
+
+def _input_rates_program(
+    assembly: Assembly, expressions: Sequence[sm.Expr | NodeExpression]
+) -> Program:
+    """Return the Program of ∂g/∂r · ṙ, with ṙ behind r among its inputs."""
+    fork = assembly.fork()
+    graph, (n, s, c) = fork.graph, fork.sizes
+    nodes = fork.read(expressions, "the events")
+    tangents = {graph.input("r", i): {0: graph.input("r", s + i)} for i in range(s)}
+    rows = directional(graph, nodes, tangents)
+    totals = [row.get(0, graph.zero) for row in rows]
+    return lower_nodes(fork, {"rates": totals}, sizes=(n, 2 * s, c))
 
 
 def event_reach(assembly: Assembly, nodes: Sequence[int]) -> Callable[[], Program] | None:

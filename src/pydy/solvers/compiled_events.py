@@ -44,11 +44,29 @@ class CompiledEvents:
     reach: Kernel | None
     resets: Kernel | None  # the states after each event, one below the other; None: no event resets
     sources: tuple[Event, ...] = ()  # what they were compiled from
+    # What changing specifieds add to the rates; their time derivatives follow them in r. None: no
+    # expression holds specifieds.
+    input_rates: Kernel | None = None
 
     @property
     def names(self) -> tuple[str, ...]:
         """The names of the events."""
         return tuple(event.name for event in self.traits)
+
+    def rates_at(self, call: KernelCall, x: np.ndarray, t: float) -> np.ndarray:
+        """Return the time derivatives of the expressions just after t, then their bounds.
+
+        Sampled specifieds change too; those that are Python functions count as constant.
+        """
+        rates = call.evaluate(self.rates, x, t)
+        if self.input_rates is None or not call.inputs.sampled:
+            return rates
+        n, both, _ = self.input_rates.program.signature.sizes
+        s = both // 2
+        r = np.concatenate([call.inputs(x, t)[:s], call.inputs.slopes(t)[:s]])
+        added = self.input_rates.evaluate(np.array([t]), x[None, :n], r[None], call.p)[0][0]
+        rates[: len(added)] += added
+        return rates
 
     @staticmethod
     def key(events: Any) -> list[tuple[Event, dict[Any, Any]]] | None:
@@ -123,7 +141,7 @@ class CompiledEvents:
         Zero means: within the resolution of time and expression, and the `error` that the
         tolerances of the states allow; else the expression has jumped.
         """
-        rates_and_bounds = call.evaluate(self.rates, x, t)
+        rates_and_bounds = self.rates_at(call, x, t)
         value = float(call.evaluate(self.values, x, t)[event])
         rate, bound = map(float, rates_and_bounds[[event, len(self.traits) + event]])
         time = ROUNDINGS * ROUNDING * abs(t) * abs(rate)

@@ -161,6 +161,8 @@ def _events(events: CompiledEvents) -> CompiledEvents:
         events,
         values=_kernel(events.values, 0),
         rates=_kernel(events.rates, rates.stop),
+        # The slopes of the samples are already those in reversed time.
+        input_rates=None if events.input_rates is None else _kernel(events.input_rates, 0),
         reach=None if events.reach is None else _kernel(events.reach, 0),
     )
 

@@ -28,14 +28,14 @@ def is_stationary(
 
     The changes of the rate due to a rounding of each state are added up.
     """
-    rate = float(call.evaluate(events.rates, x, t)[event])
+    rate = float(events.rates_at(call, x, t)[event])
     if rate == 0.0:
         return True
     total = 0.0
     for i in np.flatnonzero(x[: events.rates.program.signature.num_states]).tolist():
         shifted = x.copy()
         shifted[i] += ROUNDINGS * ROUNDING * x[i]
-        total += abs(float(call.evaluate(events.rates, shifted, t)[event]) - rate)
+        total += abs(float(events.rates_at(call, shifted, t)[event]) - rate)
     return abs(rate) <= total
 
 
@@ -49,7 +49,7 @@ def departure(
     exceeds its roundings. Its error is of fifth order, so that derivatives up to the fourth count.
     """
     if not is_stationary(call, events, event, x, t):
-        rate = float(call.evaluate(events.rates, x, t)[event])
+        rate = float(events.rates_at(call, x, t)[event])
         return int(np.sign(rate)) if np.isfinite(rate) else 0
     side, k, size = 0, len(events.traits), span
     with np.errstate(all="ignore"):
@@ -61,7 +61,7 @@ def departure(
             d = call(x + size * c, t + size)
             after = x + size / 6.0 * (a + 2.0 * b + 2.0 * c + d)
             value = float(call.evaluate(events.values, after, t + size)[event])
-            bound = float(call.evaluate(events.rates, after, t + size)[k + event])
+            bound = float(events.rates_at(call, after, t + size)[k + event])
             if abs(value) > ROUNDINGS * ROUNDING * bound:
                 side = 1 if value > 0.0 else -1
     return side

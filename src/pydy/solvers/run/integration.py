@@ -381,7 +381,7 @@ class Integration(Workspace):
             if k in forced:
                 value = call.evaluate(events.values, x, forced[k])[k]
             if (k in zero and k not in forced) or value == 0.0:
-                rates = call.evaluate(events.rates, x, t) if rates is None else rates
+                rates = events.rates_at(call, x, t) if rates is None else rates
                 value = rates[k]
             self.watch.sides[k] = bool(value > 0.0) - bool(value < 0.0) if isfinite(value) else 0
         return values
@@ -394,7 +394,7 @@ class Integration(Workspace):
         call, sides, continuation = self.call, self.watch.sides, self.continuation
         assert call is not None
         x, t = self.memory.x[: self.n].copy(), float(self.progress.state[at.TIME])
-        rates = call.evaluate(events.rates, x, t)
+        rates = events.rates_at(call, x, t)
         values = self._take_sides((), rates=rates)
         if continuation is not None and continuation.sides is not None:
             sides[:] = continuation.sides
@@ -442,7 +442,7 @@ class Integration(Workspace):
         self._empty_log()
         x, t = self.memory.x[: self.n].copy(), float(self.progress.state[at.TIME])
         values = call.evaluate(events.values, x, t)
-        rates = call.evaluate(events.rates, x, t)[: len(values)]
+        rates = events.rates_at(call, x, t)[: len(values)]
         sides, near = self.watch.sides, 2.0 * ROUNDING * abs(t)
         triples = zip(values.tolist(), rates.tolist(), sides.tolist(), strict=True)
         reaches = [
@@ -540,7 +540,7 @@ class Integration(Workspace):
                 after = after.copy()
                 after[indices] = projected[indices]
         old, values = (call.evaluate(events.values, x, t) for x in (before, after))
-        bounds = call.evaluate(events.rates, after, t)[len(values) : 2 * len(values)]
+        bounds = events.rates_at(call, after, t)[len(values) : 2 * len(values)]
         off = (values != old) & (np.abs(values) > 8.0 * ROUNDING * bounds)
         return {*np.flatnonzero(off).tolist()}
 
@@ -553,8 +553,7 @@ class Integration(Workspace):
         assert call is not None
         old, values = (call.evaluate(events.values, x, t) for x in (before, after))
         (old_rates, _), (rates, bounds) = (
-            np.split(call.evaluate(events.rates, x, t)[: 2 * len(values)], 2)
-            for x in (before, after)
+            np.split(events.rates_at(call, x, t)[: 2 * len(values)], 2) for x in (before, after)
         )
         stayed = (values == old) & (np.abs(values) <= 8.0 * ROUNDING * bounds)
         changed = (rates != 0.0) & (np.sign(old_rates) != np.sign(rates))

@@ -160,6 +160,9 @@ class _EventTasks(LaneTasks):
         self._workspace = workspace  # its memory is used by compiled code
         self._events, self._times, self._samples, self._logs = events, times, samples, logs
         self._kernels = kernel(events.values.program), kernel(events.rates.program)
+        self._input_rates: Kernel | None = None
+        if events.input_rates is not None and samples[2]:
+            self._input_rates = kernel(events.input_rates.program)
         self._log: list[tuple[np.ndarray, ...]] = []
         self._reach = None
         if workspace.watch.words[at.REACHER] != 0 and events.reach is not None:
@@ -232,7 +235,15 @@ class _EventTasks(LaneTasks):
             LaneSolver.evaluate(k, r, p, (), times, states)[..., 0].T for k in self._kernels
         )
         number = values.shape[1]
-        return values, rates[:, :number], rates[:, number : 2 * number]
+        rates, bounds = rates[:, :number], rates[:, number : 2 * number]
+        if (kernel := self._input_rates) is not None:  # as `CompiledEvents.rates_at`
+            slopes = np.zeros_like(r)
+            for columns, data in sampled:
+                slopes[:, columns] = data.slopes_at(t)
+            s = kernel.program.signature.num_specifieds // 2
+            both = np.concatenate([r[:, :s], slopes[:, :s]], axis=1)
+            rates = rates + LaneSolver.evaluate(kernel, both, p, (), times, states)[..., 0].T
+        return values, rates, bounds
 
     def empty_log(self) -> None:
         """Copy the events that compiled code has recorded."""
