@@ -152,6 +152,11 @@ def _refined(
         if within_rounding(residual, rounding) or not np.isfinite(gradient).all():
             break
         after = z - least_step(gradient, residual)
+        # A constraint on one unknown alone, such as q - ω t = 0 of a driven crank, is solved by
+        # itself: the roundings of the others are no error of q, also where all terms vanish.
+        for k in np.flatnonzero(np.count_nonzero(gradient, axis=1) == 1):
+            j = int(np.flatnonzero(gradient[k])[0])
+            after[j] = z[j] - residual[k] / gradient[k, j]
         values, bounds = np.split(bounded(after), 2)
         if not np.abs(values / or_one(bounds)).max() < np.abs(residual / or_one(rounding)).max():
             break
