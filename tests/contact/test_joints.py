@@ -151,6 +151,23 @@ def test_a_pin_rebounds_in_large_units_as_in_small_ones():
     assert heights[1] == pytest.approx(heights[0], abs=1e-8)
 
 
+def test_a_pin_does_not_slide_in_a_bush_that_turns_with_it_though_their_centres_are_apart():
+    # Links side by side on a turntable: the whole joint turns about x, across its own axis.
+    lean, tilt_rate, spin = me.dynamicsymbols("lean, tilt_rate, spin")
+    table, own = me.ReferenceFrame("A"), me.ReferenceFrame("B")
+    table.orient_axis(N, N.x, lean)
+    table.set_ang_vel(N, tilt_rate * N.x)
+    own.orient_axis(table, table.z, a)
+    own.set_ang_vel(table, spin * table.z)
+    P = O.locatenew("P", x * table.x + y * table.y + 0.5 * table.z)
+    P.set_vel(table, vx * table.x + vy * table.y)
+    P.v1pt_theory(O, N, table)
+    joint = Clearance(P, O, radius=1, play=0.1, axis=table.z, frames=(own, table), mu=0.1)
+    (speed,) = joint.speeds(N)
+    values = {x: 0.08, y: 0.06, lean: 0.3, a: 0.2, vx: 0.3, vy: 0.7, tilt_rate: 2.0, spin: 0.4}
+    assert float(speed.subs(values)) == pytest.approx(-0.6 * 0.3 + 0.8 * 0.7 + 0.4)
+
+
 def linkage_with_play():
     """A four-bar whose pin between coupler and rocker is loose, which starts amid its bush."""
     q, u = me.dynamicsymbols("q1:4"), me.dynamicsymbols("u1:4")

@@ -146,6 +146,17 @@ def test_radau_serves_in_lanes_and_one_by_one_where_states_are_many(oscillator, 
 # -- reductions -----------------------------------------------------------------------------------
 
 
+def test_steps_of_a_fixed_size_divide_the_intervals_whatever_is_reduced(oscillator):
+    # At 9 times, 0.25 apart, with steps of at most 0.2: 16 steps, where 10 would do without them.
+    x, _ = oscillator.states
+    given = {"initial_conditions": {x: [1.0, 2.0]}, "ode_solver": "rk4", "step": 0.2}
+    final = oscillator.integrate_ensemble(**given, reduce="final")
+    whole = oscillator.integrate_ensemble(**given)
+    assert final.steps.values.tolist() == [16, 16]
+    for state in ("x0", "v0"):
+        assert same_bits(final[state], whole[state].isel(time=-1))
+
+
 def test_the_final_state_is_that_of_the_whole_trajectory_to_the_last_bit():
     system = pendulum()
     values = random_values(system, 50)

@@ -455,3 +455,41 @@ def test_a_period_that_the_forcing_does_not_have_is_named():
     with pytest.raises(PeriodicOrbitError, match="The equations do not have the `period` 6 s"):
         system.find_periodic_orbit(6.0)
     assert system.find_periodic_orbit(2 * np.pi).period == pytest.approx(2 * np.pi)
+
+
+@pytest.mark.parametrize("foot", [0.2, 0.5])
+def test_multipliers_where_all_that_moves_is_what_the_constraint_drives(foot):
+    # A rod of length L(t) stands upright: a spring and a damper hold its foot, which rests. Small
+    # motions x of the foot have m x'' = S x/L − k x − c x', with the force S = m_t (g + L'').
+    x, y, vx, vy = me.dynamicsymbols("x y v_x v_y")
+    frame, origin = inertial_frame()
+    low, high = origin.locatenew("low", x * frame.x), origin.locatenew("high", y * frame.y)
+    length = 2 + sm.sin(1.7 * t) / 2
+    definition = Definition(
+        frame, [x, y], [vx, vy],
+        bodies=[me.Particle("foot", low, 1.2), me.Particle("top", high, 2.4)],
+        loads=[(high, -10 * frame.y), (low, -(12 * x + 2 * vx) * frame.x)],
+        holonomic_constraints=[x**2 + y**2 - length**2],
+    )  # fmt: skip
+    system = System(definition, ode_solver="dop853", initial_conditions={x: foot, y: 1.9, vx: 0.1})
+    system.set_dependent_initial_conditions([y, vy])
+    period = 2 * np.pi / 1.7
+    orbit = system.find_periodic_orbit(period)
+    assert orbit.equilibrium
+    assert abs(orbit.initial_conditions[x]) < 1e-12 * foot
+
+    def rates(time, state):
+        force = 10 - 2.4 * 0.5 * 1.7**2 * np.sin(1.7 * time)
+        pull = force / (2 + np.sin(1.7 * time) / 2) - 12
+        return [state[1], (pull * state[0] - 2 * state[1]) / 1.2]
+
+    monodromy = np.transpose(
+        [
+            solve_ivp(rates, (0, period), e, rtol=1e-11, atol=1e-13, method="DOP853").y[:, -1]
+            for e in np.eye(2)
+        ]
+    )
+    expected = np.linalg.eigvals(monodromy)
+    np.testing.assert_allclose(
+        np.sort_complex(orbit.multipliers), np.sort_complex(expected), atol=1e-8
+    )

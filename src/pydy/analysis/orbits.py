@@ -353,11 +353,11 @@ class _OrbitSearch:
                 self.map_period, period_map, sizes[free], slope, names, tolerance
             )
             z, period_map, residual = search.solve(z)
-            # If sizes shrank, the first ones were not those of the orbit: search again.
+            # If sizes shrank, the first ones were not those of the orbit: search again. States that
+            # vanish would shrink without end.
             new_sizes = period_map.sizes
-            if (new_sizes >= 0.5 * sizes).all() or (
-                new_sizes <= ORBIT_TOLERANCE * self.start_sizes
-            ).all():
+            vanish = new_sizes <= ORBIT_TOLERANCE * self.start_sizes
+            if ((new_sizes >= 0.5 * sizes) | vanish).all():
                 break
         if (self.advance_effect > LARGEST_GAP * period_map.sizes[free]).any():
             on = names[int((self.advance_effect / period_map.sizes[free]).argmax())]

@@ -109,13 +109,13 @@ class Clearance(Stick):
     Parameters
     ----------
     pin, bush : Point
-        Their centres, each a point of its own body.
+        Their centres, each a point of its own body. They may be apart along `axis`.
     radius : expression
         Of the pin.
     play : expression
         Radius of the bush less that of the pin.
     axis : Vector
-        Unit vector along the joint.
+        Unit vector along the joint, fixed in the body of the bush.
     frames : pair of ReferenceFrames
         Those of the bodies of the pin and of the bush.
     mu : expression
@@ -163,7 +163,8 @@ class Clearance(Stick):
             raise TypeError(f"`frames` must be a pair of ReferenceFrames, got {shown(frames)}.")
         self.bush, self.frames, self.axis = bush, tuple(frames), axis
         separation = pin.pos_from(bush)
-        self.offset = separation - separation.dot(axis) * axis
+        self.axial_offset = separation.dot(axis) * axis
+        self.offset = separation - self.axial_offset
         gap = (self.play**2 - self.offset.dot(self.offset)) / (2 * self.play)
         pressed = Unilateral(gap, restitution=restitution, name=name)
         super().__init__(pin, on=pressed, mu=mu, mu_static=mu_static, along=axis, name=name)
@@ -171,14 +172,13 @@ class Clearance(Stick):
     def speeds(self, frame: ReferenceFrame) -> tuple[sm.Expr, ...]:
         """Return the sliding speed, from velocities in the inertial frame.
 
-        It is that of the pin on the bush where they touch, r and r + c away from the centres.
+        It is that of the pin on the bush where they touch, r and r + c away from their axes. The
+        centre of the bush may lie elsewhere along its axis than that of the pin.
         """
-        pin, bush = (
-            frame_of_body.ang_vel_in(frame).dot(self.axis) for frame_of_body in self.frames
-        )
-        tangential_speed = (self.point.vel(frame) - self.bush.vel(frame)).dot(
-            self.axis.cross(self.offset)
-        )
+        rates = [frame_of_body.ang_vel_in(frame) for frame_of_body in self.frames]
+        pin, bush = (rate.dot(self.axis) for rate in rates)
+        opposite = self.bush.vel(frame) + rates[1].cross(self.axial_offset)
+        tangential_speed = (self.point.vel(frame) - opposite).dot(self.axis.cross(self.offset))
         return (
             tangential_speed / self.play + self.radius * pin - (self.radius + self.play) * bush,
         )

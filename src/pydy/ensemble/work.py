@@ -174,9 +174,13 @@ class Work:
         The states at all times are written into the array `states` (n, m, times) unless None.
         """
         model, times = self.model, self.model.times
-        if self.reductions and all(isinstance(r, _Final | _EventTimes) for r in self.reductions):
-            # Steps do not depend on the times. A few times suffice to check what is checked along
-            # the motion; a sample that an event ended early has no state at the last time.
+        of_ends = self.reductions and all(
+            isinstance(r, _Final | _EventTimes) for r in self.reductions
+        )
+        if of_ends and model.options.step is None:
+            # Steps do not depend on the times, except those of a fixed size, which divide the
+            # intervals between them. A few times suffice to check what is checked along the
+            # motion; a sample that an event ended early has no state at the last time.
             checked = self.assumed is not None or model.constraint_checks is not None
             times = times[evenly(len(times), DriftCheck.MOST_STATES if checked else 2)]
         logs = model.constraint_checks is not None or _EventTimes in map(type, self.reductions)
