@@ -185,7 +185,7 @@ def test_extremes_are_those_at_the_times():
 def test_outputs_that_are_not_finite_are_told_once(oscillator, reduce, t):
     x = oscillator.coordinates[0]
     oscillator.outputs = {sm.Symbol("inverse"): 1 / x}
-    told = rf"not finite: inverse at t = {t} in the state x0 = 0, v0 = 0; \d+ other"
+    told = rf"not finite: inverse at t = {t} in the state x0 = 0, v0 = 0; the same at \d+ other"
     with pytest.warns(PyDyUserWarning, match=told) as caught:
         oscillator.integrate_ensemble(initial_conditions={x: [1.0] + 99 * [0.0]}, reduce=reduce)
     assert len(caught) == 1
