@@ -167,6 +167,14 @@ class Inputs:
             slopes[columns] = samples.slopes_at(t)
         return slopes
 
+    def slopes_along(self, x: np.ndarray, rates: np.ndarray, t: float, step: float) -> np.ndarray:
+        """Return the derivatives along a motion; those of functions by differences over `step`."""
+        slopes = self.slopes(t)
+        for columns, function in self.functions:
+            before, after = function(x, t), function(x + step * rates, t + step)
+            slopes[columns] = (np.asarray(after) - before) / step
+        return slopes
+
 
 @dataclass(frozen=True, eq=False)
 class KernelCall:

@@ -1,4 +1,4 @@
-"""Events on surfaces that move as samples say: the rate of the samples is part of the event's."""
+"""Events on surfaces that move as samples or functions say: their rate is part of the event's."""
 
 import warnings
 
@@ -18,7 +18,7 @@ from zoo.cases import close
 G = 9.81
 y, v, floor = me.dynamicsymbols("y v floor")
 g = sm.Symbol("g")
-KINDS = ["linear", "pchip", "expression"]
+KINDS = ["linear", "pchip", "expression", "function"]
 TIGHT = {"rtol": 1e-10, "atol": 1e-10}
 CLOCK = np.linspace(-1.0, 3.0, 401)
 
@@ -29,10 +29,14 @@ def ball(kind, speed, start, times, solver="dop853"):
     point = origin.locatenew("P", y * frame.y)
     body = me.Particle("ball", point, 1)
     definition = Definition(frame, [y], [v], bodies=[body], loads=[(point, -g * frame.y)])
-    motion = SampledInput(CLOCK, speed * CLOCK, kind) if kind != "expression" else None
     system = System(definition, {g: G}, times=times, ode_solver=solver)
     system.outputs = {"gap": y - floor}
-    system.specifieds = {floor: speed * me.dynamicsymbols._t if motion is None else motion}
+    if kind == "expression":
+        system.specifieds = {floor: speed * me.dynamicsymbols._t}
+    elif kind == "function":
+        system.specifieds = {floor: lambda x, t: speed * t}
+    else:
+        system.specifieds = {floor: SampledInput(CLOCK, speed * CLOCK, kind)}
     system.initial_conditions = dict(zip([y, v], start, strict=True))
     return system
 
@@ -84,3 +88,20 @@ def test_backward_in_time_too(kind):
         end = Event(y - floor, direction=direction, terminal=True, name="end")
         records = system.simulate(events=[end], **TIGHT).events
         assert [r.time for r in records] == ([1.0] if happens else [])
+
+
+@pytest.mark.parametrize("second", [1e-9, 1.0, 1e9])
+def test_a_function_of_the_state_moves_a_surface_too_in_any_unit(second):
+    """A paddle follows the ball at a half of its speed: the gap changes at the other half."""
+    frame, origin = inertial_frame()
+    point = origin.locatenew("P", y * frame.y)
+    body = me.Particle("ball", point, 1)
+    definition = Definition(frame, [y], [v], bodies=[body], loads=[(point, -g * frame.y)])
+    times = np.array([0.0, 0.1, 0.2]) * second
+    system = System(definition, {g: G / second**2}, times=times, ode_solver="dop853")
+    system.outputs, system.initial_conditions = {"gap": y - floor}, {y: 1.0, v: -1.0 / second}
+    system.specifieds = {floor: lambda x, t: 0.5 + 0.5 * x[0]}
+    for direction, happens in ((-1, True), (1, False)):
+        end = Event(y - floor, direction=direction, terminal=True, name="end")
+        records = system.simulate(events=[end], rtol=1e-10, atol=1e-12).events
+        assert [r.time for r in records] == ([0.0] if happens else [])

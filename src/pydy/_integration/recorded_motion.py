@@ -139,7 +139,8 @@ class RecordedMotion:
             error, lower = CompiledSensitivities.event_resolution(
                 depth, blocks["crossing"][:n], x, rtol, atol
             )
-            value = events.value_after_jump(call, record.index, x, t, error)
+            span = float(np.ptp(self.motion.times))
+            value = events.value_after_jump(call, record.index, x, t, error, span)
             if value is None and depth > error:
                 time = -blocks["crossing"] / rate
             elif untimed:

@@ -9,7 +9,7 @@ import numpy as np
 
 from pydy._kernel import Kernel, KernelCall
 from pydy.solvers.events import Event, Turn
-from pydy.solvers.tuning import CLOSE, ROUNDING, ROUNDINGS
+from pydy.solvers.tuning import CLOSE, HALF, ROUNDING, ROUNDINGS
 
 
 @dataclass(frozen=True)
@@ -53,20 +53,29 @@ class CompiledEvents:
         """The names of the events."""
         return tuple(event.name for event in self.traits)
 
-    def rates_at(self, call: KernelCall, x: np.ndarray, t: float) -> np.ndarray:
+    def rates_at(self, call: KernelCall, x: np.ndarray, t: float, span: float) -> np.ndarray:
         """Return the time derivatives of the expressions just after t, then their bounds.
 
-        Sampled specifieds change too; those that are Python functions count as constant.
+        Specifieds that are samples or Python functions change too. The step of the differences of
+        functions is half of the digits of the `span` of the motion, or of the time.
         """
         rates = call.evaluate(self.rates, x, t)
-        if self.input_rates is None or not call.inputs.sampled:
+        if self.input_rates is None or call.inputs.constant:
             return rates
         n, both, _ = self.input_rates.program.signature.sizes
-        s = both // 2
-        r = np.concatenate([call.inputs(x, t)[:s], call.inputs.slopes(t)[:s]])
+        s, step = both // 2, _difference_step(t, span)
+        motion = call(x, t) if call.inputs.functions else x
+        slopes = call.inputs.slopes_along(x, motion, t, step)
+        r = np.concatenate([call.inputs(x, t)[:s], slopes[:s]])
         added = self.input_rates.evaluate(np.array([t]), x[None, :n], r[None], call.p)[0][0]
         rates[: len(added)] += added
         return rates
+
+    def rate_rounding(self, call: KernelCall, bound: float, t: float, span: float) -> float:
+        """Return the rounding of a rate by differences, from the bound on that of its value."""
+        if self.input_rates is None or not call.inputs.functions:
+            return 0.0
+        return ROUNDINGS * ROUNDING * bound / _difference_step(t, span)
 
     @staticmethod
     def key(events: Any) -> list[tuple[Event, dict[Any, Any]]] | None:
@@ -134,16 +143,21 @@ class CompiledEvents:
         return None
 
     def value_after_jump(
-        self, call: KernelCall, event: int, x: np.ndarray, t: float, error: float
+        self, call: KernelCall, event: int, x: np.ndarray, t: float, error: float, span: float
     ) -> float | None:
         """Return the value of an event's expression where it happens, or None if that is zero.
 
         Zero means: within the resolution of time and expression, and the `error` that the
         tolerances of the states allow; else the expression has jumped.
         """
-        rates_and_bounds = self.rates_at(call, x, t)
+        rates_and_bounds = self.rates_at(call, x, t, span)
         value = float(call.evaluate(self.values, x, t)[event])
         rate, bound = map(float, rates_and_bounds[[event, len(self.traits) + event]])
         time = ROUNDINGS * ROUNDING * abs(t) * abs(rate)
         rounding = ROUNDINGS * ROUNDING * bound
         return value if CLOSE * abs(value) > time + rounding + error else None
+
+
+def _difference_step(t: float, span: float) -> float:
+    """Return the step of differences of functions: half of the digits of the span, or of time."""
+    return HALF * max(span, HALF * abs(t))

@@ -22,20 +22,21 @@ def on_surface(values: Any, bounds: Any) -> Any:
 
 
 def is_stationary(
-    call: KernelCall, events: CompiledEvents, event: int, x: np.ndarray, t: float
+    call: KernelCall, events: CompiledEvents, event: int, x: np.ndarray, t: float, span: float
 ) -> bool:
     """Return whether the rate of an event's expression is zero within the roundings of the states.
 
     The changes of the rate due to a rounding of each state are added up.
     """
-    rate = float(events.rates_at(call, x, t)[event])
+    rates = events.rates_at(call, x, t, span)
+    rate, bound = map(float, rates[[event, len(events.traits) + event]])
     if rate == 0.0:
         return True
-    total = 0.0
+    total = events.rate_rounding(call, bound, t, span)
     for i in np.flatnonzero(x[: events.rates.program.signature.num_states]).tolist():
         shifted = x.copy()
         shifted[i] += ROUNDINGS * ROUNDING * x[i]
-        total += abs(float(events.rates_at(call, shifted, t)[event]) - rate)
+        total += abs(float(events.rates_at(call, shifted, t, span)[event]) - rate)
     return abs(rate) <= total
 
 
@@ -48,8 +49,8 @@ def departure(
     decides: the shortest of 52 sizes, each half of the previous one, after which the expression
     exceeds its roundings. Its error is of fifth order, so that derivatives up to the fourth count.
     """
-    if not is_stationary(call, events, event, x, t):
-        rate = float(events.rates_at(call, x, t)[event])
+    if not is_stationary(call, events, event, x, t, span):
+        rate = float(events.rates_at(call, x, t, span)[event])
         return int(np.sign(rate)) if np.isfinite(rate) else 0
     side, k, size = 0, len(events.traits), span
     with np.errstate(all="ignore"):
@@ -61,7 +62,7 @@ def departure(
             d = call(x + size * c, t + size)
             after = x + size / 6.0 * (a + 2.0 * b + 2.0 * c + d)
             value = float(call.evaluate(events.values, after, t + size)[event])
-            bound = float(events.rates_at(call, after, t + size)[k + event])
+            bound = float(events.rates_at(call, after, t + size, span)[k + event])
             if abs(value) > ROUNDINGS * ROUNDING * bound:
                 side = 1 if value > 0.0 else -1
     return side

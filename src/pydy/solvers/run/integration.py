@@ -381,7 +381,7 @@ class Integration(Workspace):
             if k in forced:
                 value = call.evaluate(events.values, x, forced[k])[k]
             if (k in zero and k not in forced) or value == 0.0:
-                rates = events.rates_at(call, x, t) if rates is None else rates
+                rates = events.rates_at(call, x, t, self.span) if rates is None else rates
                 value = rates[k]
             self.watch.sides[k] = bool(value > 0.0) - bool(value < 0.0) if isfinite(value) else 0
         return values
@@ -394,7 +394,7 @@ class Integration(Workspace):
         call, sides, continuation = self.call, self.watch.sides, self.continuation
         assert call is not None
         x, t = self.memory.x[: self.n].copy(), float(self.progress.state[at.TIME])
-        rates = events.rates_at(call, x, t)
+        rates = events.rates_at(call, x, t, self.span)
         values = self._take_sides((), rates=rates)
         if continuation is not None and continuation.sides is not None:
             sides[:] = continuation.sides
@@ -411,7 +411,7 @@ class Integration(Workspace):
             sides[k] = side
             if not happens_at_start(side, direction):
                 continue
-            stationary = is_stationary(call, events, k, x, t)
+            stationary = is_stationary(call, events, k, x, t, self.span)
             if self.watch.acting[k] and acts_at_start(side, direction, stationary):
                 self.watch.fired[k] = touched = True
                 continue
@@ -442,7 +442,7 @@ class Integration(Workspace):
         self._empty_log()
         x, t = self.memory.x[: self.n].copy(), float(self.progress.state[at.TIME])
         values = call.evaluate(events.values, x, t)
-        rates = events.rates_at(call, x, t)[: len(values)]
+        rates = events.rates_at(call, x, t, self.span)[: len(values)]
         sides, near = self.watch.sides, 2.0 * ROUNDING * abs(t)
         triples = zip(values.tolist(), rates.tolist(), sides.tolist(), strict=True)
         reaches = [
@@ -506,7 +506,11 @@ class Integration(Workspace):
         latest, least = self.watch.latest, NO_LATER * ROUNDING * max(abs(t), self.span)
         for k in fired:
             event = events.traits[k]
-            if k in zero and event.redirects and is_stationary(call, events, k, before, t):
+            if (
+                k in zero
+                and event.redirects
+                and is_stationary(call, events, k, before, t, self.span)
+            ):
                 side = departure(call, events, k, before, t, self.span)
                 if follows_itself(side, int(origins[k]), event.direction):
                     self._end(Outcome.EVENTS_ACCUMULATE, event=event.name)
@@ -540,7 +544,7 @@ class Integration(Workspace):
                 after = after.copy()
                 after[indices] = projected[indices]
         old, values = (call.evaluate(events.values, x, t) for x in (before, after))
-        bounds = events.rates_at(call, after, t)[len(values) : 2 * len(values)]
+        bounds = events.rates_at(call, after, t, self.span)[len(values) : 2 * len(values)]
         off = (values != old) & (np.abs(values) > 8.0 * ROUNDING * bounds)
         return {*np.flatnonzero(off).tolist()}
 
@@ -553,7 +557,8 @@ class Integration(Workspace):
         assert call is not None
         old, values = (call.evaluate(events.values, x, t) for x in (before, after))
         (old_rates, _), (rates, bounds) = (
-            np.split(events.rates_at(call, x, t)[: 2 * len(values)], 2) for x in (before, after)
+            np.split(events.rates_at(call, x, t, self.span)[: 2 * len(values)], 2)
+            for x in (before, after)
         )
         stayed = (values == old) & (np.abs(values) <= 8.0 * ROUNDING * bounds)
         changed = (rates != 0.0) & (np.sign(old_rates) != np.sign(rates))
@@ -617,7 +622,11 @@ class Integration(Workspace):
         rtol, atol = (np.broadcast_to(a, n) for a in (self.options.rtol, self.options.atol))
         forced = events.forcing_time(self.call, event, before, t) is not None
         jump = sensitivities.jump(self.call, event, t, before, after[:n], (rtol, atol), forced)
-        value = None if forced else events.value_after_jump(self.call, event, before, t, jump.error)
+        value = (
+            None
+            if forced
+            else events.value_after_jump(self.call, event, before, t, jump.error, self.span)
+        )
         if value is not None or not jump.depth > jump.error:
             acting = acting and event not in sensitivities.untimed
             if acting and value is not None:
