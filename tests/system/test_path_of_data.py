@@ -149,7 +149,7 @@ def construct():
     [
         (construct, 662, 63),
         (integrate, 31, 16),
-        (simulate, 112, 32),
+        (simulate, 113, 32),
         (with_contacts, 129, 36),
         (ensemble, 97, 28),
         (stiff_ensemble, 102, 28),

@@ -172,7 +172,8 @@ def _zeros_of_several(evaluate: _Evaluator, sampled: np.ndarray, places: np.ndar
         low, high = np.where(stays, middle, low), np.where(stays, high, middle)
     beside = _beside(evaluate, line, low, size)
     vanishes, signs, order = beside.vanishes, beside.signs, beside.order
-    slopes = beside.after - beside.before
+    with np.errstate(invalid="ignore"):  # of nodes that are infinite there
+        slopes = beside.after - beside.before
     ratios: dict[tuple[int, int], list[float]] = {}
     same_order: set[tuple[int, int]] = set()
     sloping, flat = set[int](), set[int]()

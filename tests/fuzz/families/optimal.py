@@ -273,6 +273,14 @@ for _name in ("plot_controls", "plot_states"):
     def _(v, name=_name):
         return plotted(getattr(_found(), name), v)
 
+    @target(f"OptimalTrajectory.{_name}.units", mapping)
+    def _(v, name=_name):
+        plotted(getattr(_found(), name), units=v)
+
+    @target(f"OptimalTrajectory.{_name}.time_unit", text())
+    def _(v, name=_name):
+        plotted(getattr(_found(), name), time_unit=v)
+
 
 @target("OptimalControl.solve.options[key]", key, "`options")
 def _(v):

@@ -41,6 +41,36 @@ def _(v):
     return plotted(plot.plot_fit, fit_result(), v)
 
 
+@target("plot_fit.units", mapping)
+def _(v):
+    plotted(plot.plot_fit, fit_result(), units=v)
+
+
+@target("plot_fit.time_unit", text())
+def _(v):
+    plotted(plot.plot_fit, fit_result(), time_unit=v)
+
+
+@cache
+def _branch() -> Any:
+    return world().o.system.follow_equilibria({"k": [1.0, 1.5]})
+
+
+@target("EquilibriumBranch.plot.name", nothing("symbols", "texts"), "unknown")
+def _(v):
+    plotted(_branch().plot, v)
+
+
+@target("EquilibriumBranch.plot.ax", nothing("texts", "arrays", allowed=one_of(None)), "`ax")
+def _(v):
+    plotted(_branch().plot, "x", v)
+
+
+@target("EquilibriumBranch.plot.units", mapping)
+def _(v):
+    plotted(_branch().plot, "x", units=v)
+
+
 _missing = "is not one of the trajectory's"
 _axes = nothing("texts", "arrays", allowed=one_of(None))
 _ARGUMENTS: dict[str, tuple[Kind, tuple[str, ...]]] = {
