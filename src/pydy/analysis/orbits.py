@@ -567,7 +567,9 @@ class OrbitShooting:
             return False
         try:
             unscaled = self.map_period(z * self.sizes, period)
-        except RuntimeError:  # no event, or a failure of the integration
+        except (RuntimeError, ValueError):
+            # No event, a failure of the integration, or a start from which the constraints cannot
+            # be solved; wrong arguments have stopped the first motion.
             return False
         scaled_map = self._scaled(unscaled)
         speed = np.linalg.norm(self._scaled(self.first).rates)
