@@ -342,7 +342,8 @@ class _OrbitSearch:
         self.start_sizes = period_map.sizes
         names = [self.names[k] for k in free]
         for _ in range(_MOST_RESIZINGS):
-            sizes = period_map.sizes
+            # States that vanish would have no tolerance in the end.
+            sizes = np.maximum(period_map.sizes, ORBIT_TOLERANCE * self.start_sizes)
             if self.scales_atol:
                 coarse = (self.options["atol"] > 2.0 * ORBIT_TOLERANCE * sizes).any()
                 self.options["atol"] = ORBIT_TOLERANCE * sizes
