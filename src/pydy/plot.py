@@ -262,7 +262,7 @@ def plot_coordinates(
     --------
     >>> import numpy as np
     >>> from pydy.models import multi_mass_spring_damper
-    >>> from pydy._axes import plot_coordinates
+    >>> from pydy.plot import plot_coordinates
     >>> system = multi_mass_spring_damper(2)
     >>> x0, x1 = system.coordinates
     >>> system.initial_conditions = {x0: 1.0}
@@ -362,7 +362,7 @@ def plot_sensitivities(
     Examples
     --------
     >>> from pydy.models import multi_mass_spring_damper
-    >>> from pydy._axes import plot_sensitivities
+    >>> from pydy.plot import plot_sensitivities
     >>> system = multi_mass_spring_damper()
     >>> system.times, system.initial_conditions = [0.0, 0.5, 1.0], {'x0': 1.0}
     >>> plot_sensitivities(system.simulate(sensitivities=['m0', 'k0']), 'x0').get_ylabel()
@@ -700,7 +700,7 @@ def plot_fit(
     >>> import numpy as np
     >>> from pydy.analysis import Trial
     >>> from pydy.models import multi_mass_spring_damper
-    >>> from pydy._axes import plot_fit
+    >>> from pydy.plot import plot_fit
     >>> system = multi_mass_spring_damper()
     >>> times = np.linspace(0.0, 10.0, num=101)
     >>> swing = np.exp(-0.1 * times) * np.cos(np.sqrt(3.99) * times)
