@@ -541,6 +541,20 @@ def test_the_model_and_its_solver_may_need_functions_of_the_same_name(tmp_path, 
     assert simulated(str(path), "CoSimulation", ["x"])[:, 0] == pytest.approx(expected, abs=1e-7)
 
 
+LOGGERS = []
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _loggers_stay_alive():
+    """FMPy has one logger for all units of FMI 2.0, the latest, and calls it when it is freed."""
+    from fmpy import logging
+
+    add = logging.addLoggerProxy
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(logging, "addLoggerProxy", lambda new: (LOGGERS.append(new), add(new))[1])
+        yield
+
+
 @pytest.fixture(scope="module")
 def bouncing(tmp_path_factory):
     """A ball whose restitution `e` and floor `d` are parameters: by version."""
