@@ -1,7 +1,8 @@
 """Calls that differ in one thing from the one before, over the same call; ``make bench-calls``.
 
 A second `integrate` with other tolerances, times or constants prepares what depends on them; an
-event that never happens and a contact that stays open cost something beside the integration.
+event that never happens and a contact that stays open cost something beside the integration, and
+so do eight columns of sensitivities.
 Each line is a difference in microseconds, or a ratio, of calls that are taken in turn. With
 ``--before SRC``, the ``src`` folder of another version of the package is measured in turn with
 this one.
@@ -35,7 +36,7 @@ from pydy.solvers import Event
 
 LINKS = (1, 5)
 MOTIONS = {"1 s, 101 times": (1.0, 101), "10 s, 1,001 times": (10.0, 1001)}
-GOALS = {"µs": 50.0, "ratio": 1.05}
+GOALS = {"µs": 50.0, "ratio": 1.05, "columns": 2.5}
 LEAST = 0.01  # s of a measurement
 
 
@@ -93,12 +94,20 @@ def inactive(links: int, motion: str) -> dict[str, tuple[Callable[[], Any], Call
     }
 
 
+def columns(links: int, motion: str) -> dict[str, tuple[Callable[[], Any], Callable[[], Any]]]:
+    """Return a pair of calls: with the derivatives by eight parameters, and without them."""
+    system = pendulum(links, motion)
+    parameters = [*sorted(system.constants_symbols, key=str), *system.states][:8]
+    derivatives = partial(system.simulate, sensitivities=parameters)
+    return {"eight columns": (derivatives, system.simulate)}
+
+
 def measure(pairs: int) -> list[dict[str, Any]]:
     """Return the times of both calls of each pair, in seconds of this thread."""
     lines = []
-    for kind, make in (("µs", repeated), ("ratio", inactive)):
+    for kind, make in (("µs", repeated), ("ratio", inactive), ("columns", columns)):
         # Long motions vary by more than what is prepared takes.
-        motions = [*MOTIONS] if kind == "ratio" else [next(iter(MOTIONS))]
+        motions = [next(iter(MOTIONS))] if kind == "µs" else [*MOTIONS]
         for links, motion in itertools.product(LINKS, motions):
             for name, calls in make(links, motion).items():
                 for call in calls:
@@ -137,9 +146,9 @@ def _of_version(src: Path, options: argparse.Namespace) -> list[dict[str, Any]]:
 
 def _value(line: dict[str, Any]) -> float:
     pairs = zip(line["with"], line["without"], strict=True)
-    if line["kind"] == "ratio":
-        return median(a / b for a, b in pairs)
-    return median(1e6 * (a - b) for a, b in pairs)
+    if line["kind"] == "µs":
+        return median(1e6 * (a - b) for a, b in pairs)
+    return median(a / b for a, b in pairs)
 
 
 def main() -> None:
@@ -159,6 +168,7 @@ def main() -> None:
     for kind, title in (
         ("µs", "Microseconds more than the same call again"),
         ("ratio", "What never happens: the call over `simulate` without it"),
+        ("columns", "Sensitivities: the call over `simulate` without them"),
     ):
         rows = []
         for lines in zip(*results.values(), strict=True):
@@ -166,7 +176,7 @@ def main() -> None:
                 name, links, motion = (lines[0][key] for key in ("name", "links", "motion"))
                 plain = f"{1e6 * median(lines[0]['without']):.0f} µs"
                 extra = f"{1e6 * (median(lines[0]['with']) - median(lines[0]['without'])):.0f} µs"
-                digits = 2 if kind == "ratio" else 0
+                digits = 0 if kind == "µs" else 2
                 values = [f"{_value(line):.{digits}f}" for line in lines]
                 rows.append((f"{name}, {links} links, {motion}", plain, extra, *values))
         header = ("", "plain call", "more", *(f"{v} (≤ {GOALS[kind]:g})" for v in versions))

@@ -167,14 +167,6 @@ class Inputs:
             slopes[columns] = samples.slopes_at(t)
         return slopes
 
-    def slopes_along(self, x: np.ndarray, rates: np.ndarray, t: float, step: float) -> np.ndarray:
-        """Return the derivatives along a motion; those of functions by differences over `step`."""
-        slopes = self.slopes(t)
-        for columns, function in self.functions:
-            before, after = function(x, t), function(x + step * rates, t + step)
-            slopes[columns] = (np.asarray(after) - before) / step
-        return slopes
-
 
 @dataclass(frozen=True, eq=False)
 class KernelCall:
@@ -199,6 +191,18 @@ class KernelCall:
     def __call__(self, x: np.ndarray, t: float, *args: object) -> np.ndarray:
         """Return the derivatives; NaN where a linear solve is singular."""
         return self.evaluate(self.kernel, np.asarray(x), t)
+
+    def input_slopes(self, x: np.ndarray, t: float, step: float) -> np.ndarray:
+        """Return the derivatives of the inputs along the motion, of functions over a `step`."""
+        inputs = self.inputs
+        slopes = inputs.slopes(t)
+        if inputs.functions:
+            later = t + step
+            after = x + (later - t) * self(x, t)
+            for columns, function in inputs.functions:
+                change = np.asarray(function(after, later)) - function(x, t)
+                slopes[columns] = change / (later - t)
+        return slopes
 
     def switch_times(self, start: float, end: float) -> SwitchTimes | None:
         """Return when the Kernel switches by time alone within an interval; None: never."""

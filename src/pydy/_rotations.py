@@ -1,4 +1,4 @@
-"""Quaternions of rotations, without `scipy.spatial`, whose import takes as long as a page."""
+"""Quaternions of rotations, without `scipy.spatial`, whose import takes longer than a page."""
 
 from __future__ import annotations
 

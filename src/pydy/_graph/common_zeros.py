@@ -2,11 +2,10 @@
 
 ``exp(−x) − 1`` is zero where x is, and its slope there is −1 times that of x; ``(y − 1) x`` is zero
 there, too, and the ratio of the slopes depends on the state. x³ + x |x| has no slope there, and
-nevertheless the sign of x. Nodes are evaluated along random lines
-through the space of states and specifieds, with random constants. Where one of them changes its
-sign, its zero is found to the last digit. Others that are zero at the same number are zero together
-with it. Nodes that share isolated points alone, as x and x + y, are not. x² − |x| is zero with x,
-too, and does not change its sign.
+nevertheless the sign of x. Nodes are evaluated along random lines through the space of states and
+specifieds, with random constants. Where one of them changes its sign, its zero is found to the last
+digit. Others that are zero at the same number are zero together with it. Nodes that share isolated
+points alone, as x and x + y, are not. x² − |x| is zero with x, too, and does not change its sign.
 """
 
 from __future__ import annotations

@@ -63,7 +63,8 @@ BESIDE, SAME_ZERO = 2.0**-28, 2.0**-19
 # A distance at which functions without a slope are larger than rounding errors: x − sin(x), that
 # cannot be told from zero nearer to it, is 2⁻¹⁶ of this part there, or less.
 WIDE, SAME_ZERO_BY_ROUNDING = 2.0**-10, 2.0**-16
-# Powers of the distance from a zero are the same up to this.
+# Exponents of the distance from a zero, measured over a doubling of it, are the same up to this:
+# half of the difference between neighbouring powers of a square root.
 SAME_ORDER = 0.25
 # Three hundred arguments take a second. If there are more, those that are not multiples of one
 # another are not compared.

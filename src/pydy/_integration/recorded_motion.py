@@ -139,8 +139,7 @@ class RecordedMotion:
             error, lower = CompiledSensitivities.event_resolution(
                 depth, blocks["crossing"][:n], x, rtol, atol
             )
-            span = float(np.ptp(self.motion.times))
-            value = events.value_after_jump(call, record.index, x, t, error, span)
+            value = events.value_after_jump(call, record.index, x, t, error)
             if value is None and depth > error:
                 time = -blocks["crossing"] / rate
             elif untimed:

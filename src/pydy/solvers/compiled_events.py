@@ -53,19 +53,17 @@ class CompiledEvents:
         """The names of the events."""
         return tuple(event.name for event in self.traits)
 
-    def rates_at(self, call: KernelCall, x: np.ndarray, t: float, span: float) -> np.ndarray:
+    def rates_at(self, call: KernelCall, x: np.ndarray, t: float, span: float = 0.0) -> np.ndarray:
         """Return the time derivatives of the expressions just after t, then their bounds.
 
-        Specifieds that are samples or Python functions change too. The step of the differences of
-        functions is half of the digits of the `span` of the motion, or of the time.
+        Specifieds that are samples or Python functions change too. Differences of functions need
+        the `span` of the motion.
         """
         rates = call.evaluate(self.rates, x, t)
         if self.input_rates is None or call.inputs.constant:
             return rates
         n, both, _ = self.input_rates.program.signature.sizes
-        s, step = both // 2, _difference_step(t, span)
-        motion = call(x, t) if call.inputs.functions else x
-        slopes = call.inputs.slopes_along(x, motion, t, step)
+        s, slopes = both // 2, call.input_slopes(x, t, _difference_step(t, span))
         r = np.concatenate([call.inputs(x, t)[:s], slopes[:s]])
         added = self.input_rates.evaluate(np.array([t]), x[None, :n], r[None], call.p)[0][0]
         rates[: len(added)] += added
@@ -143,14 +141,15 @@ class CompiledEvents:
         return None
 
     def value_after_jump(
-        self, call: KernelCall, event: int, x: np.ndarray, t: float, error: float, span: float
+        self, call: KernelCall, event: int, x: np.ndarray, t: float, error: float
     ) -> float | None:
         """Return the value of an event's expression where it happens, or None if that is zero.
 
         Zero means: within the resolution of time and expression, and the `error` that the
         tolerances of the states allow; else the expression has jumped.
         """
-        rates_and_bounds = self.rates_at(call, x, t, span)
+        # Without the span of the motion: sensitivities, which ask for this, refuse functions.
+        rates_and_bounds = self.rates_at(call, x, t)
         value = float(call.evaluate(self.values, x, t)[event])
         rate, bound = map(float, rates_and_bounds[[event, len(self.traits) + event]])
         time = ROUNDINGS * ROUNDING * abs(t) * abs(rate)
@@ -159,5 +158,8 @@ class CompiledEvents:
 
 
 def _difference_step(t: float, span: float) -> float:
-    """Return the step of differences of functions: half of the digits of the span, or of time."""
+    """Return the step of differences of functions: half of the digits of the motion's span.
+
+    At least a rounding of the time. Over half of the digits, roundings and curvature weigh alike.
+    """
     return HALF * max(span, HALF * abs(t))

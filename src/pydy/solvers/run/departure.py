@@ -62,7 +62,7 @@ def departure(
             d = call(x + size * c, t + size)
             after = x + size / 6.0 * (a + 2.0 * b + 2.0 * c + d)
             value = float(call.evaluate(events.values, after, t + size)[event])
-            bound = float(events.rates_at(call, after, t + size, span)[k + event])
+            bound = float(call.evaluate(events.rates, after, t + size)[k + event])
             if abs(value) > ROUNDINGS * ROUNDING * bound:
                 side = 1 if value > 0.0 else -1
     return side

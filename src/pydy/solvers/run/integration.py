@@ -544,7 +544,7 @@ class Integration(Workspace):
                 after = after.copy()
                 after[indices] = projected[indices]
         old, values = (call.evaluate(events.values, x, t) for x in (before, after))
-        bounds = events.rates_at(call, after, t, self.span)[len(values) : 2 * len(values)]
+        bounds = call.evaluate(events.rates, after, t)[len(values) : 2 * len(values)]
         off = (values != old) & (np.abs(values) > 8.0 * ROUNDING * bounds)
         return {*np.flatnonzero(off).tolist()}
 
@@ -622,11 +622,7 @@ class Integration(Workspace):
         rtol, atol = (np.broadcast_to(a, n) for a in (self.options.rtol, self.options.atol))
         forced = events.forcing_time(self.call, event, before, t) is not None
         jump = sensitivities.jump(self.call, event, t, before, after[:n], (rtol, atol), forced)
-        value = (
-            None
-            if forced
-            else events.value_after_jump(self.call, event, before, t, jump.error, self.span)
-        )
+        value = None if forced else events.value_after_jump(self.call, event, before, t, jump.error)
         if value is not None or not jump.depth > jump.error:
             acting = acting and event not in sensitivities.untimed
             if acting and value is not None:
