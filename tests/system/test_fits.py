@@ -1083,3 +1083,37 @@ def test_an_independent_coordinate_of_another_loop_does_not_determine_a_dependen
     for values in ({x: 0.28, a: 1.1}, {x: 0.28, y: -0.96, a: 1.2, b: -1.6}):
         result = system.fit([g], Trial(times, data, initial_conditions=values))
         np.testing.assert_allclose(result.estimates, [9.81], rtol=1e-6)
+
+
+def test_trial_motions_that_diverge_are_given_up_early(monkeypatch):
+    """A search from far away tries negative damping, with which the pendulum turns ever faster."""
+    angle, rate = me.dynamicsymbols("angle rate")
+    length, damping = sm.symbols("length damping")
+    frame, end = me.ReferenceFrame("N"), me.Point("P")
+    end.set_vel(frame, length * rate * frame.x)
+    loads = [(end, -(9.81 * sm.sin(angle) + damping * rate / length) * frame.x)]
+    link = Definition(frame, [angle], [rate], bodies=[me.Particle("P", end, 1)], loads=loads)
+    constants, times = {length: 0.7, damping: 0.1}, np.linspace(0.0, 10.0, num=301)
+    trials = []
+    for height in (1.0, 2.0):
+        system = System(link, constants, initial_conditions={angle: height}, times=times)
+        trials.append(Trial(times, {angle: system.simulate()[angle]}, {angle: height, rate: 0.0}))
+    system.constants = {length: 5.0, damping: 0.0}
+    limits, simulate = [], shooting.simulate
+
+    def recorded(*args, max_steps=None, **options):
+        more = {} if max_steps is None else {"max_steps": max_steps}
+        motion = None
+        try:
+            motion = simulate(*args, **more, **options)
+        finally:
+            limits.append((max_steps, motion))
+        return motion
+
+    monkeypatch.setattr(shooting, "simulate", recorded)
+    result = system.fit([length, damping], trials)
+    np.testing.assert_allclose(result.estimates, [0.7, 0.1], rtol=1e-6)
+    stopped = [most for most, motion in limits if motion is None]
+    longest = max(motion.statistics["steps"] for _, motion in limits if motion is not None)
+    assert stopped
+    assert max(stopped) <= 100 * longest

@@ -494,3 +494,21 @@ def test_multipliers_where_all_that_moves_is_what_the_constraint_drives(foot, st
     np.testing.assert_allclose(
         np.sort_complex(orbit.multipliers), np.sort_complex(expected), atol=1e-8
     )
+
+
+def test_flights_of_a_search_have_a_hundred_times_the_steps_of_the_best_one(monkeypatch):
+    """One that runs away would take ten million."""
+    flights, integrate = [], pydy.analysis.orbits.integrate
+
+    def recorded(*args, max_steps=None, **options):
+        limited = options if max_steps is None else {**options, "max_steps": max_steps}
+        motion = integrate(*args, **limited)
+        flights.append((max_steps, motion.statistics["steps"]))
+        return motion
+
+    monkeypatch.setattr(pydy.analysis.orbits, "integrate", recorded)
+    on_a_line(lambda x, v, mu: mu * (1 - x**2) * v - x).find_periodic_orbit(6.5)
+    most, steps = zip(*flights, strict=True)
+    assert most[0] is None
+    assert {limit for limit in most if limit is not None} <= {100 * count for count in steps}
+    assert most[-1] is not None

@@ -25,6 +25,7 @@ from pydy._optional import progress_of
 from pydy._problem import AssumptionChecks, Problem
 from pydy._rank import HALF, ROUNDED, or_one
 from pydy._states import consistent, energetic_motions
+from pydy.analysis.trial_steps import limited_steps
 from pydy.analysis.tuning import (
     LARGEST_GAP,
     LEAST_SIZE,
@@ -174,6 +175,7 @@ class _OrbitSearch:
         if problem.dependent:
             self.options.setdefault("constraints", "project")
         self.smallest_gap = np.inf  # the smallest gap so far
+        self.steps, self.best_steps = 0, 0  # of the latest period; of that with the smallest gap
         self.progress: Any = None  # reports the progress
 
     def _choose_states(self, problem: Problem, moving: Iterable[SymbolOrName]) -> None:
@@ -217,10 +219,12 @@ class _OrbitSearch:
         """Integrate with sensitivities."""
         # Sensitivities control the steps, too: a state at rest would allow steps that are too long.
         request = SensitivityRequest(self.parameters, controlled=True)
-        options = {**extra_options, **self.options}
-        return integrate(
+        options = limited_steps({**extra_options, **self.options}, self.best_steps)
+        motion = integrate(
             problem, np.array(times), solver=self.solver, sensitivities=request, **options
         )
+        self.steps += motion.statistics["steps"]
+        return motion
 
     def sizes_along(
         self,
@@ -238,12 +242,14 @@ class _OrbitSearch:
 
     def map_period(self, z: np.ndarray, length: float) -> PeriodMap:
         """Integrate for a period from states `z`; store the start with the smallest gap."""
-        problem = self.start(z)
+        problem, self.steps = self.start(z), 0
         if self.until is None:
             period_map = self._fixed_period(problem, length)
         else:
             period_map = self._period_to_event(problem, self.until, z)
         gap = float((np.abs(period_map.end - z) / self.start_sizes[self.free]).max(initial=0.0))
+        if gap < self.smallest_gap or not self.best_steps:
+            self.best_steps = self.steps
         if gap < self.smallest_gap:
             self.smallest_gap = gap
             self.nearest.update(
@@ -348,6 +354,7 @@ class _OrbitSearch:
                 coarse = (self.options["atol"] > 2.0 * ORBIT_TOLERANCE * sizes).any()
                 self.options["atol"] = ORBIT_TOLERANCE * sizes
                 if coarse:
+                    self.best_steps = 0  # finer tolerances need more
                     period_map = self.map_period(z, period_map.period)
             tolerance = float(np.max(self.options["rtol"]))
             search = OrbitShooting(

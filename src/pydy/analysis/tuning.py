@@ -37,6 +37,13 @@ ZERO_CHECKS = 32
 """Values of a sweep at which an eigenvalue is tested: one that is zero at all of these counts as
 zero at every value."""
 
+# -- trial motions of searches ---------------------------------------------------------------------
+
+MOST_TRIAL_STEPS = 100
+"""Most steps of a trial motion, in units of those of the best one so far. A motion that diverges
+would take all of `max_steps`, ten million, half a minute; a search that rejects it tries a nearer
+one, so that it also reaches motions that need more steps than this."""
+
 # -- periodic orbits -------------------------------------------------------------------------------
 
 ORBIT_TOLERANCE = 1e-12

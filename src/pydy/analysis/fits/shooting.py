@@ -23,6 +23,7 @@ from pydy.analysis.fits.problem import FitProblem
 from pydy.analysis.fits.result import Minimum
 from pydy.analysis.fits.samples import TrialSamples
 from pydy.analysis.fits.search import estimate
+from pydy.analysis.trial_steps import limited_steps
 from pydy.analysis.tuning import LEAST_SIZE, REPORT_INTERVAL
 from pydy.solvers import SOLVERS
 from pydy.trajectory import Trajectory
@@ -65,6 +66,7 @@ class ShootingFit:
         self.segments = [self._split_trial(d, segments) for d in problem.trials]
         self.motions = sum(map(len, self.segments))  # of one evaluation
         self.simulated = 0  # motions of the present evaluation
+        self.steps, self.best_steps = 0, 0  # of its longest motion; of that of the best estimates
         self.misfit: dict[str, str] = {}  # that of the latest evaluation, as it is shown
         self.next_report = 0.0  # of motions, by `time.monotonic`
         self.state_indices = [problem.states.index(s) for s in problem.independent]
@@ -126,8 +128,9 @@ class ShootingFit:
             trial_problem.settings.times,
             solver=self.solver,
             sensitivities=parameters,
-            **self.options,
+            **limited_steps(self.options, self.best_steps),
         )
+        self.steps = max(self.steps, motion.statistics["steps"])
         return motion.trajectory
 
     def simulate_segment(
@@ -163,7 +166,7 @@ class ShootingFit:
 
         At the `first` z of a search, all must be finite.
         """
-        self.simulated = 0
+        self.simulated, self.steps = 0, 0
         values, slopes, gaps = [], [], []
         for k, d in enumerate(self.problem.trials):
             for j, segment in enumerate(self.segments[k]):
@@ -252,14 +255,14 @@ class ShootingFit:
 
     def minimum(self, z: np.ndarray, most: int) -> Minimum:
         """Return the least-squares minimum, searched for from z by at most `most` evaluations."""
-        problem, count = self.problem, 0
+        problem, count, least = self.problem, 0, np.inf
         size = problem.samples + (len(z) - problem.count)
         # A search may try values that contacts reject: a negative gap, a restitution above one.
         contacts = problem.model.problem.hybrid
         refused = () if contacts is None else (contacts.infeasible,)
 
         def evaluate(z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-            nonlocal count
+            nonlocal count, least
             count += 1
             try:
                 values, slopes = self.evaluate(z, first=count == 1)
@@ -275,10 +278,13 @@ class ShootingFit:
                 if len(gaps):
                     self.misfit["gap"] = f"{gaps.max() / self.weight:.2g}"
                 self.report(1, **self.misfit)
+                if (cost := float(values @ values)) < least:
+                    least, self.best_steps = cost, self.steps
                 return problem.with_priors(values, slopes, z)
 
         weights = _WEIGHTS if len(z) > problem.count else (0.0,)
         for self.weight in weights:
+            least = np.inf  # gaps weigh more than before
             z, values, J, ended = estimate(
                 evaluate, z, problem.limits, self.names, most, warns=self.weight == weights[-1]
             )
