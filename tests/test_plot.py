@@ -258,7 +258,7 @@ def test_a_dataset_of_several_sample_dimensions_with_failures():
     middle = ax.get_lines()[0].get_ydata()
     np.testing.assert_allclose(middle[:20], np.nanmedian(values[:20].reshape(20, 15), axis=1))
     assert np.isnan(middle[20])
-    assert labels(ax) == ["q"]
+    assert labels(ax) == ["$q$"]
     with pytest.raises(ValueError, match=r"no variables whose attribute 'role'.*of q"):
         plot_coordinates(dataset)
     with pytest.raises(KeyError, match="`p` is not one of the dataset's variables: q"):

@@ -50,6 +50,14 @@ def rows_of_axes(
     return axes, rows
 
 
+def legend_beside(ax: Axes, **options: Any) -> None:
+    """Add a legend at the right of the curves if the figure's layout makes room, else over them."""
+    if ax.figure.get_layout_engine() is not None:
+        beside = {"loc": "upper left", "bbox_to_anchor": (1.0, 1.0), "frameon": False}
+        options = {**beside, **options}
+    ax.legend(**options)
+
+
 def units_by_name(
     units: Units, states: Sequence[str], name_of_key: Callable[[Any], str] = name_of
 ) -> dict[str, tuple[str, float]]:
@@ -70,7 +78,7 @@ def with_unit(label: str, unit: str) -> str:
 
 def typeset(name: str, latex: str) -> str:
     """Return a LaTeX label if matplotlib's mathtext can set it, otherwise the plain name."""
-    if not latex and label_parts(name) != [name, ""]:
+    if not latex and (len(name) == 1 or label_parts(name) != [name, ""]):
         latex = latex_of(name)
     if not latex:
         return name.replace("$", r"\$")

@@ -19,7 +19,15 @@ from typing import TYPE_CHECKING, Any, Protocol, TypeAlias
 
 import numpy as np
 
-from pydy._axes import Units, axes_of, rows_of_axes, typeset, units_by_name, with_unit
+from pydy._axes import (
+    Units,
+    axes_of,
+    legend_beside,
+    rows_of_axes,
+    typeset,
+    units_by_name,
+    with_unit,
+)
 from pydy._checks import (
     listed,
     one_or_more,
@@ -626,14 +634,9 @@ def _draw(
     if len({*axes.values()}) == 1:
         # Curves that the Axes had before, such as another run, are in the legend, too.
         lines = ax.get_legend_handles_labels()[0]
-    if ax.figure.get_layout_engine() is None:
-        ax.legend(handles=lines, **options)
-    elif len({*axes.values()}) > 1:  # the layout makes room above; the other axes are beside
+    elif ax.figure.get_layout_engine() is not None:  # above: the other axes are at the right
         options |= {"loc": "lower left", "bbox_to_anchor": (0.0, 1.0), "ncols": 4}
-        ax.legend(handles=lines, frameon=False, **options)
-    else:  # the layout makes room beside the curves
-        options |= {"loc": "upper left", "bbox_to_anchor": (1.0, 1.0)}
-        ax.legend(handles=lines, frameon=False, **options)
+    legend_beside(ax, handles=lines, **options)
     return ax
 
 
@@ -746,7 +749,8 @@ def plot_fit(
             lower.set_ylabel(with_unit("residual", unit))
             if name == next(iter(measured)):
                 upper.set_title(label)
-                upper.legend()
+                if column + 1 == len(result.times):
+                    legend_beside(upper)
             if name == [*measured][-1]:
                 lower.set_xlabel(time_label)
                 lower.tick_params(labelbottom=True)

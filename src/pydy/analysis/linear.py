@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pydy._axes import axes_of, rows_of_axes, typeset
+from pydy._axes import axes_of, legend_beside, rows_of_axes, typeset
 from pydy._checks import choice, one_or_more, real_array
 from pydy._errors import warn_user
 from pydy._judges import (
@@ -224,7 +224,7 @@ class LinearModel:
         magnitude_ax.set_ylabel("magnitude (dB)")
         phase_ax.set_ylabel("phase (°)")
         phase_ax.set_xlabel(f"frequency ({unit})")
-        magnitude_ax.legend()
+        legend_beside(magnitude_ax)
         return axes
 
     @property

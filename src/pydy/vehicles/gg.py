@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import sympy as sm
 
-from pydy._axes import axes_of
+from pydy._axes import axes_of, legend_beside
 from pydy._checks import number, positive, real_array, shown
 from pydy._errors import warn_user
 from pydy._rank import HALF
@@ -97,7 +97,7 @@ class GGDiagram:
         ax.set_xlabel("lateral acceleration (m/s²)")
         ax.set_ylabel("longitudinal acceleration (m/s²)")
         ax.grid(alpha=0.3)
-        ax.legend(frameon=False)
+        legend_beside(ax)
         return ax
 
 

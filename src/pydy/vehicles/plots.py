@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pydy._axes import axes_of
+from pydy._axes import axes_of, legend_beside
 from pydy._checks import choice, number, positive, real_array, shown
 from pydy.vehicles.algebra import is_symbolic
 from pydy.vehicles.forces import Tire, TireForces
@@ -87,7 +87,7 @@ def plot_tire(
     ax.set_xlabel(_LABELS[over])
     ax.set_ylabel(f"{force} ({_UNITS[force]})")
     ax.grid(alpha=0.3)
-    ax.legend(frameon=False)
+    legend_beside(ax)
     return ax
 
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pydy._axes import axes_of
+from pydy._axes import axes_of, legend_beside
 from pydy._checks import number, positive, real_array, shown
 from pydy._rank import HALF, ROUNDED
 from pydy.vehicles.hard_points import HardPoints, Hinge
@@ -78,7 +78,7 @@ class SuspensionCurves:
             ax.plot(np.degrees(getattr(self, name)), 1e3 * self.travel, label=name)
         ax.set_xlabel("angle (°)")
         ax.set_ylabel("wheel travel (mm)")
-        ax.legend()
+        legend_beside(ax)
         ax.grid(alpha=0.3)
         return ax
 

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import scipy
 
-from pydy._axes import rows_of_axes, typeset
+from pydy._axes import legend_beside, rows_of_axes, typeset
 from pydy._checks import number
 from pydy._errors import warn_user
 from pydy._names import few, name_of, place_of, some, table_of
@@ -231,14 +231,16 @@ class FitResult:
     def plot_residuals(self, axes: Any = None) -> Any:
         """Plot the residuals of each trial over time; return the Axes."""
         axes, rows = rows_of_axes(axes, len(self.times), "trial", sharex=False)
-        for ax, times, columns in zip(rows, self.times, self.residuals, strict=True):
+        trials = zip(rows, self.labels, self.times, self.residuals, strict=True)
+        for ax, label, times, columns in trials:
             ax.axhline(0.0, color="0.7", linewidth=0.8)
             for name, column in columns.items():
                 ax.plot(times, column, ".", markersize=3, label=typeset(name, ""))
+            ax.set_title(label)
             ax.set_xlabel("time")
             several = ", each in its unit" if len(columns) > 1 else ""
             ax.set_ylabel(f"measured minus model{several}")
-            ax.legend()
+            legend_beside(ax)
         return axes
 
     def __str__(self) -> str:
