@@ -2073,7 +2073,8 @@ class System:
 
         All other values are those of the System; the search starts from its initial conditions,
         and where none is near, from where the system settles if its swings die out. Quaternions
-        have unit length there, with or without a constraint.
+        have unit length there, with or without a constraint, and angles are within half a
+        revolution of the start.
 
         Parameters
         ----------

@@ -517,3 +517,25 @@ def test_the_quaternion_of_an_equilibrium_is_of_unit_length(start, metre):
     squares = [1.3 * 9.81 * 0.2 / inertia for inertia in (0.08, 0.07)]  # of physical pendulums
     frequencies = np.sort(np.abs(system.linearize(at=found).eigenvalues.imag))[-4::2]
     assert frequencies == pytest.approx(np.sqrt(squares), rel=1e-7)
+
+
+def random_starts(system, count):
+    rng = np.random.default_rng(3)
+    for _ in range(count):
+        yield {q: rng.uniform(-3.0, 3.0) for q in system.coordinates}
+
+
+@pytest.mark.parametrize(
+    "make",
+    [lambda: system_of(zoo.fourbar()), lambda: n_link_pendulum_on_cart(5, cart_force=False)],
+    ids=["a linkage that is not assembled", "a chain"],
+)
+def test_an_equilibrium_has_no_angle_more_than_half_a_revolution_from_the_start(make):
+    """Twelve of forty linkages had turned twice, most chains up to five hundred times."""
+    system = make()
+    for start in random_starts(system, 10):
+        system.initial_conditions = start
+        found = system.find_equilibrium()
+        system.initial_conditions = found.initial_conditions
+        assert max(abs(found[q] - start[q]) for q in system.coordinates) <= np.pi + 1e-9
+        assert np.abs(system.evaluate_ode()).max() < 1e-9

@@ -11,6 +11,7 @@ to them, and unknowns by the Jacobian.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
@@ -184,7 +185,8 @@ def solve_equilibrium(problem: RootProblem, start: np.ndarray, bounds: Bounds) -
         except EquilibriumError as error:
             first_error = first_error or error
             continue
-        return _with_initial_free_unknowns(accepted, problem, z, bounds)
+        accepted = _with_initial_free_unknowns(accepted, problem, z, bounds)
+        return _without_revolutions(accepted, problem, z, bounds)
     assert first_error is not None
     raise first_error
 
@@ -260,6 +262,23 @@ def _with_initial_free_unknowns(
             return accepted
     nearer = np.linalg.norm((polished - start) / units) < np.linalg.norm((solution - start) / units)
     return candidate if nearer else accepted
+
+
+def _without_revolutions(
+    accepted: RootResult, problem: RootProblem, start: np.ndarray, bounds: Bounds
+) -> RootResult:
+    """Return the equilibrium with angles within half a revolution of the start.
+
+    Steps of a search are long where bodies are in line. An unknown counts as an angle if the
+    equations hold as before without its revolutions.
+    """
+    turns = np.round((accepted[0] - start) / (2.0 * np.pi))
+    for k in np.flatnonzero(turns):
+        back = accepted[0].copy()
+        back[k] -= 2.0 * np.pi * turns[k]
+        with suppress(EquilibriumError):
+            accepted = _checked_solution(problem, np.clip(back, *bounds), bounds, "")
+    return accepted
 
 
 def _scaled(problem: RootProblem, rows: np.ndarray) -> tuple[Function, Function]:
