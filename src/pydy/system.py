@@ -2922,8 +2922,8 @@ class System:
             By default a point at rest in that frame, connected with the bodies.
         **options
             `loads`: whether to show forces and torques as arrows. Options of `pydy.viz.Scene`:
-            `up` (by default against gravity), `ground`, `follow`, `view`, `series`, `units` and
-            `title`.
+            `up` (by default against gravity), `ground`, `follow`, `view`, `series`, `units`,
+            `title` and `constants`: values of symbols that only positions and shapes depend on.
 
         Returns
         -------
@@ -2933,6 +2933,11 @@ class System:
         ------
         ValueError
             There are no bodies to show, or no point that can be the origin.
+
+        Warns
+        -----
+        PyDyUserWarning
+            Points that depend on symbols without values are not drawn.
 
         Examples
         --------

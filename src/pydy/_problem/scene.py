@@ -10,9 +10,11 @@ import sympy as sm
 from sympy.physics.mechanics import Point, ReferenceFrame, Vector, dynamicsymbols
 
 from pydy._assembly import Assembly, Definition
-from pydy._checks import flag, instance
+from pydy._checks import check_mapping, flag, instance
+from pydy._errors import warn_user
 from pydy._graph import NodeExpression
 from pydy._mechanics import Equations, FrameTree, Mechanism, find_symbols
+from pydy._names import name_of, some
 from pydy._rank import HALF
 from pydy.viz import (
     Geometry,
@@ -78,6 +80,9 @@ def make_scene(
         found = _outline(*places, names, constants, bool(equations.constraints.holonomic))
         if resting is None:  # what is fixed to a moving point does not rest
             found.supports, found.resting = [], []
+        known = {*map(name_of, (*constants, *definition.states, *definition.specifieds))}
+        known |= {*map(name_of, check_mapping("constants", options.get("constants")))}
+        _leave_out_unknown(found, origin, [body.masscenter for body in bodies], known)
         turned = reference_frame is not mechanism.frame
         visuals = visuals_of(bodies, found, mechanism.frame if turned else None)
     if loads and mechanism is not None:
@@ -108,6 +113,40 @@ def _outline(
         mechanism.frame, origin, mechanism.bodies, mechanism.loads, coordinates, names, constants,
         potential, closed,
     )  # fmt: skip
+
+
+def _leave_out_unknown(
+    found: Outline, origin: Point, centres: Sequence[Point], known: set[str]
+) -> None:
+    """Take lines from an Outline whose points depend on symbols without values, and warn of it.
+
+    Such points are marks that the equations do not need. Without the mass centres of the bodies
+    there is no picture.
+    """
+    missing: dict[Point, list[str]] = {}
+
+    def is_drawn(*points: Point) -> bool:
+        for point in points:
+            if point not in missing:
+                parts = [m for m, _ in point.pos_from(origin).args]
+                names = [name_of(s) for s in find_symbols(parts) if isinstance(s, sm.Symbol)]
+                missing[point] = [name for name in names if name not in {*known, "t"}]
+        return not any(missing[point] for point in points)
+
+    if not is_drawn(*centres):
+        return  # `animate` names what a body lacks
+    found.bars = [(body, pair) for body, pair in found.bars if is_drawn(*pair)]
+    for lines in (found.ropes, found.springs, found.dampers):
+        lines[:] = [pair for pair in lines if is_drawn(*pair)]
+    found.supports = [point for point in found.supports if is_drawn(point)]
+    hidden = [str(point) for point, names in missing.items() if names]
+    if hidden:
+        names = list(dict.fromkeys(name for of_point in missing.values() for name in of_point))
+        example = ", ".join(f"'{name}': 1.0" for name in names[:2])
+        warn_user(
+            f"Lines to {some(hidden)} are not drawn: the equations have no value for "
+            f"{some(names)}. Pass `animate(constants={{{example}}})`, with your numbers."
+        )
 
 
 def _resting(mechanism: Mechanism, frame: Any, origin: Any) -> Any:

@@ -394,6 +394,8 @@ class Scene:
             film = detail = filmed(trajectory, fps, speed)
             if self.series:
                 detail = plotted(trajectory, fps, speed)
+        if constants is None:
+            constants = self.constants
         options = (symbols, constants, specifieds, compare, fps, speed)
         self._set_motion(film, detail, states, curves, options)
         return self
