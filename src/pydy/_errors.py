@@ -29,9 +29,12 @@ def warn_user(message: str) -> None:
     warnings.warn(message, PyDyUserWarning, stacklevel=level)
 
 
+_AROUND = ("contextlib", "functools")  # of decorators
+
+
 def _is_internal(module: str) -> bool:
-    """Return whether a module is part of this package, or `np.errstate` around its methods."""
-    return module.startswith("pydy.") or module.endswith("._ufunc_config")
+    """Return whether a module is part of this package, or of a decorator around its functions."""
+    return module.startswith("pydy.") or module in _AROUND or module.endswith("._ufunc_config")
 
 
 def warn_not_finite(

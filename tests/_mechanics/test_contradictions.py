@@ -30,6 +30,7 @@ def agrees(frame, q, u, bodies, loads, constants, kd=None):
 
 
 @pytest.mark.filterwarnings("ignore:The kinematic equations do not fit")
+@pytest.mark.filterwarnings("ignore:The velocities that were set for Q")
 def test_a_point_between_two_velocities_takes_the_first_of_the_nearest():
     frame, origin, q, u = ground()
     m, n, c = sm.symbols("m n c")

@@ -6,7 +6,7 @@ velocity, so that inertia and loads would be lost.
 Velocities that a user sets need not be the derivatives of positions: those of a rolling disc may
 include its constraint, and the orientation of a symmetric rotor may be omitted. They are accepted.
 But if all of them follow from other derivatives of the coordinates, the kinematic equations are
-wrong.
+wrong; and what neither explains is wrong itself (`pydy._mechanics.set_velocities`).
 
 Not checked are mechanisms with constraints, where velocities may be valid on one branch only,
 orientations by nine cosines, and velocities that depend on symbols that the positions do not have.
@@ -137,7 +137,9 @@ def warn_of_kinematics(equations: Equations) -> None:
         k = Kinematics(replace(body, bodies=mechanism.bodies), in_bodies=False)
         turns = [orthogonality_residuals([matrix], k.read) for matrix in k.tree.rotation_matrices()]
         # A quaternion has three rows: its columns have unit length. Nine cosines have more.
-        every = [] if any(len(rows) > 3 for rows in turns) else [*_frames(k), *_points(k)]
+        many = any(len(rows) > 3 for rows in turns)
+        frames = {} if many else dict(_frames(k))
+        every = [] if many else [*frames.values(), *_points(k)]
     except (NotImplementedError, TypeError, ValueError):
         if equations.formed is not None:
             raise
@@ -148,6 +150,7 @@ def warn_of_kinematics(equations: Equations) -> None:
         return
     misfits: list[str] = []
     wrong: set[int] = set()
+    unexplained: list[Moved] = []
     for group in connected([_dependencies(k, *item) for item in every]):
         members, unlike = [every[i] for i in group], [differing[i] for i in group]
         if any(map(np.any, unlike)) and all(_depends_alike(k, *item) for item in members):
@@ -157,6 +160,13 @@ def warn_of_kinematics(equations: Equations) -> None:
                 misfits += [
                     label for (label, *_), rows in zip(members, unlike, strict=True) if rows.any()
                 ]
+            else:
+                unexplained += [m for m, rows in zip(members, unlike, strict=True) if rows.any()]
+    if unexplained and not misfits:
+        from pydy._mechanics.set_velocities import warn_of_angular_velocities
+
+        spins = {f: item[1:3] for f, item in frames.items() if item in unexplained}
+        warn_of_angular_velocities(k, spins, zero_rows)
     if misfits:
         rates = [body.coordinates[i] for i in sorted(wrong)]
         warn_user(
@@ -168,7 +178,7 @@ def warn_of_kinematics(equations: Equations) -> None:
         )
 
 
-def _frames(k: Kinematics) -> Iterator[Moved]:
+def _frames(k: Kinematics) -> Iterator[tuple[ReferenceFrame, Moved]]:
     """Yield the frames that orient the bodies, with their parents where known."""
     visited = {k.inertial}
     for frame in (item.frame for item in k.body.bodies if is_rigid(item)):
@@ -182,7 +192,7 @@ def _frames(k: Kinematics) -> Iterator[Moved]:
                 axes = [k.expressed(unit, frame, k.inertial) for unit in identity(k.graph)]
                 w = k.spin(frame, k.inertial)[0]
             rates = [n for axis in axes for n in k.cross(w, axis)]
-            yield f"the angular velocity of {frame}", flat(axes), rates, ()
+            yield frame, (f"the angular velocity of {frame}", flat(axes), rates, ())
             frame = parent
 
 

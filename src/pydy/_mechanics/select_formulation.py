@@ -114,6 +114,10 @@ def _fewest(body: Multibody) -> EquationGraph:
     is_large = len(body.speeds) > 12
     first, *other_axes = useful_axes(body)[-1:] if is_large else useful_axes(body)
     candidates = [forms(body, in_bodies=first)]
+    if differing := candidates[0].honoured:
+        from pydy._mechanics.set_velocities import warn_of_velocities
+
+        warn_of_velocities(body, differing)
     for in_bodies in other_axes if not candidates[0].in_one_frame else ():
         candidates.append(forms(body, in_bodies=in_bodies, honoured=candidates[0].honoured))
     kinds: list[EquationGraph] = [

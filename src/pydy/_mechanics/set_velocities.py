@@ -1,0 +1,138 @@
+"""A warning of velocities that the user set, and that positions do not explain.
+
+The equations contain the velocities that were set, whatever the positions are. Three kinds of them
+need not be the derivatives of positions: those of a rolling wheel, whose points move as if they
+turned about the point where it touches; those with a speed whose coordinate was omitted, as of a
+symmetric rotor or of a position that nothing depends on; and those that take an input, such as an
+angle, for constant. Of others the term ω × r was forgotten, or a sign is wrong.
+
+Not checked are mechanisms with constraints, which may have been used to shorten velocities.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+from itertools import accumulate
+from typing import TYPE_CHECKING
+
+import numpy as np
+import sympy as sm
+
+from pydy._checks import describe
+from pydy._errors import warn_user
+from pydy._graph import inputs_of
+from pydy._mechanics.components import numbers_of
+from pydy._mechanics.formulations import moving
+from pydy._mechanics.frames import orthogonality_residuals
+from pydy._mechanics.kinematics import Kinematics, Vec
+from pydy._mechanics.multibody import Multibody
+from pydy._mechanics.reader import is_rigid
+from pydy._rank import DIGITS
+
+if TYPE_CHECKING:
+    from sympy.physics.mechanics import Point, ReferenceFrame, RigidBody
+
+
+def warn_of_velocities(body: Multibody, differing: Collection[Point]) -> None:
+    """Warn of points whose velocity was set, is `differing` from positions, and not explained."""
+    if body.constraints.velocity:
+        return
+    k = moving(body, in_bodies=False, fixed_honoured=differing)
+    frames = dict.fromkeys(item.frame for item in body.bodies if is_rigid(item))
+    spins = [k.spin(frame, k.inertial)[0] for frame in frames]
+    moved = [v for point in k.moved() for pair in _offsets(k, point) for v in pair]
+    located = {*inputs_of(k.graph, [n for v in (*spins, *moved) for n in v])}
+    points = [point for point in differing if not _is_explained(k, point, spins, located)]
+    if points:
+        bases = [k.path(point)[0] for point in points]
+        warn_user(
+            f"The velocities that were set for {describe(points)} are not the derivatives of "
+            f"their positions from {describe(list(dict.fromkeys(bases)))}, and the equations "
+            "contain them as they are. Use `v1pt_theory`, `v2pt_theory`, or set no velocity: it "
+            "is derived then."
+        )
+
+
+def warn_of_angular_velocities(
+    k: Kinematics, frames: Mapping[ReferenceFrame, tuple[Vec, Vec]], zero_rows: list[int]
+) -> None:
+    """Warn of frames whose angular velocity was set and does not follow from the orientation.
+
+    For each frame, the components of its axes and their derivatives according to what was set.
+    """
+    wrong = []
+    for frame, (axes, rates) in frames.items():
+        values = numbers_of(k.graph, [*axes, *rates, *k.dt(axes)], zero_rows)
+        values = values[np.isfinite(values).all(axis=1)]
+        if not len(values):
+            continue
+        turned, as_set, by_angles = np.moveaxis(values.reshape(len(values), 3, 3, 3), 1, 0)
+        # Δω, of which the axes' derivatives differ by Δω × e.
+        difference = np.cross(turned, as_set - by_angles).sum(axis=1) / 2.0
+        in_frame = np.einsum("mij,mj->mi", turned, difference)
+        bodies = [item for item in k.body.bodies if is_rigid(item) and item.frame is frame]
+        if bodies and not all(_is_rotor(k, item, in_frame) for item in bodies):
+            wrong.append(frame)
+    if wrong:
+        warn_user(
+            f"The angular velocities that were set for {describe(wrong)} are not those of their "
+            "orientations, and the equations contain them as they are. Set the components along "
+            "the axes of the rotations, or set none: an orientation gives one."
+        )
+
+
+def _is_rotor(k: Kinematics, item: RigidBody, difference: np.ndarray) -> bool:
+    """Return whether a body may turn so without a change of its inertia: about an axis of symmetry.
+
+    The `difference` of angular velocities is in its axes.
+    """
+    _, sizes, directions = np.linalg.svd(difference)
+    if not sizes[1] <= DIGITS * sizes[0]:
+        return False
+    axis = directions[0]
+    matrix = k.tensor(item.central_inertia.args, item.frame)
+    moments = numbers_of(k.graph, [n for row in matrix for n in row])[0].reshape(3, 3)
+    across = np.eye(3) - np.outer(axis, axis)
+    transverse = across @ moments @ across
+    other = np.trace(transverse) / 2.0
+    size = DIGITS * np.abs(moments).max(initial=0.0)
+    aside = moments @ axis - (axis @ moments @ axis) * axis
+    return bool(np.abs(transverse - other * across).max() <= size and np.abs(aside).max() <= size)
+
+
+def _is_explained(k: Kinematics, point: Point, spins: list[Vec], located: set[int]) -> bool:
+    """Return whether a velocity is that of a wheel, or has the speed of an omitted coordinate.
+
+    That is none of the inputs of motions that follow from positions and orientations, `located`.
+    """
+    g, (base, _) = k.graph, k.path(point)
+    given = k.vector(k.tree.velocity(point), k.inertial)
+    if base is None or not located.issuperset(inputs_of(g, given)):
+        return True
+    home, velocity, _ = k.motion(base)
+    before = k.expressed(velocity, home, k.inertial)
+    offsets, rates = zip(*_offsets(k, point), strict=True)
+    # Nothing turns with a body, or the first parts do so about the point that they start from.
+    turned = list(accumulate(offsets, k.plus))
+    following = [k.plus(before, *rates[j + 1 :]) for j in range(len(rates))]
+    pairs = list(zip(turned, following, strict=True))
+    candidates = [k.plus(before, *rates)]
+    candidates += [k.plus(k.cross(w, r), rest) for w in spins for r, rest in pairs]
+    # Inputs may be taken for constant, whose rates are zero then; quaternions have unit length.
+    inputs = enumerate(k.read.specifieds)
+    resting = [g.input("r", i) for i, s in inputs if isinstance(s, sm.Derivative)]
+    lengths = [n for m in k.tree.rotation_matrices() for n in orthogonality_residuals([m], k.read)]
+    values = numbers_of(g, [n for v in (given, *candidates) for n in v], lengths, resting)
+    vectors = values.reshape(len(values), -1, 3)
+    size = np.linalg.norm(vectors, axis=2)
+    away = np.linalg.norm(vectors - vectors[:, :1], axis=2)
+    return bool((away[:, 1:] <= DIGITS * (size[:, 1:] + size[:, :1])).all(axis=0).any())
+
+
+def _offsets(k: Kinematics, point: Point) -> list[tuple[Vec, Vec]]:
+    """Return the vectors to a point from the one that it is located from, and their derivatives."""
+    pairs = []
+    for r, frame in k.parts(point):
+        rate = k.plus(k.cross(k.spin(frame)[0], r), k.dt(r))
+        pairs.append((k.expressed(r, frame, k.inertial), k.expressed(rate, frame, k.inertial)))
+    return pairs

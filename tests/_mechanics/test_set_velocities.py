@@ -1,0 +1,127 @@
+"""Velocities that were set and that positions do not explain are warned of; others are not."""
+
+import warnings
+
+import pytest
+import sympy as sm
+import sympy.physics.mechanics as me
+
+from pydy import System
+from pydy.errors import PyDyUserWarning
+
+q = me.dynamicsymbols("q1:4")
+u = me.dynamicsymbols("u1:4")
+m, g, r, length = sm.symbols("m g r length")
+
+
+def system_of(frame, bodies, loads=(), count=2):
+    kane = me.KanesMethod(
+        frame,
+        q[:count],
+        u[:count],
+        [a.diff() - b for a, b in zip(q[:count], u[:count], strict=True)],
+    )
+    kane.kanes_equations(bodies, list(loads))
+    return System(kane)
+
+
+def bead(velocity):
+    """A bead on an arm that turns about z; `velocity` is from O, at rest, of the arm's frame A."""
+    N, O = me.ReferenceFrame("N"), me.Point("O")
+    O.set_vel(N, 0)
+    A = N.orientnew("A", "Axis", (q[0], N.z))
+    A.set_ang_vel(N, u[0] * N.z)
+    P = O.locatenew("P", q[1] * A.x)
+    P.set_vel(N, velocity(A))
+    arm = me.RigidBody("arm", O, A, m, (me.inertia(A, 0, 0, 1), O))
+    return system_of(N, [me.Particle("bead", P, m), arm], [(P, -m * g * N.y)])
+
+
+def test_a_wrong_sign_is_told():
+    with pytest.warns(PyDyUserWarning, match=r"that were set for P are not .* from O,"):
+        bead(lambda A: u[1] * A.x - q[1] * u[0] * A.y)
+    bead(lambda A: u[1] * A.x + q[1] * u[0] * A.y)
+
+
+def test_a_speed_whose_coordinate_was_omitted_is_not_told():
+    """The arm's bearing travels along z, where it is does not matter."""
+    bead(lambda A: u[1] * A.x + q[1] * u[0] * A.y + u[2] * A.z)
+
+
+def test_a_forgotten_cross_product_is_told():
+    """A plate on an arm carries a block and a slider, whose velocities were set by components."""
+    N, O = me.ReferenceFrame("N"), me.Point("O")
+    O.set_vel(N, 0)
+    A = N.orientnew("A", "Axis", (q[0], N.z))
+    A.set_ang_vel(N, u[0] * N.z)
+    plate = O.locatenew("P1", length * A.x)
+    plate.v2pt_theory(O, N, A)
+    block = plate.locatenew("P2", q[1] * A.x)
+    block.set_vel(N, plate.vel(N) + u[1] * A.x)
+    slider = plate.locatenew("P3", q[2] * A.y)
+    slider.set_vel(N, plate.vel(N) + u[2] * A.y - q[2] * u[0] * A.x)
+    bodies = [me.Particle(str(p), p, m) for p in (plate, block, slider)]
+    with pytest.warns(PyDyUserWarning, match=r"that were set for P2 are not .* from P1,"):
+        system_of(N, bodies, count=3)
+
+
+def arm(axis, count=2):
+    """Two links whose frames turn about y and z of the frames before, with the `axis` as set."""
+    N, O = me.ReferenceFrame("N"), me.Point("O")
+    O.set_vel(N, 0)
+    A = N.orientnew("A", "Axis", (q[0], N.y))
+    B = A.orientnew("B", "Axis", (q[1], A.z))
+    A.set_ang_vel(N, u[0] * N.y)
+    B.set_ang_vel(A, u[1] * axis(N, A))
+    C = O.locatenew("C", length * B.x)
+    C.v2pt_theory(O, N, B)
+    link = me.RigidBody("link", C, B, m, (me.inertia(B, 1, 2, 3), C))
+    return system_of(N, [link], [(C, -m * g * N.y)])
+
+
+def test_an_angular_velocity_about_another_axis_than_the_rotation_is_told():
+    with pytest.warns(PyDyUserWarning, match=r"^The angular velocities that were set for B are"):
+        arm(lambda N, A: N.z)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        arm(lambda N, A: A.z).evaluate_ode()
+
+
+def disc(moments):
+    """A disc whose frame leans without turning with the disc; its spin is in ω alone."""
+    N, O = me.ReferenceFrame("N"), me.Point("O")
+    O.set_vel(N, 0)
+    K = N.orientnew("K", "Axis", (q[0], N.x))
+    L = K.orientnew("L", "Axis", (q[1], K.z))
+    w = L.ang_vel_in(N).xreplace({q[0].diff(): u[0], q[1].diff(): u[1]})
+    L.set_ang_vel(N, w + (u[0] + u[1]) * L.y)
+    disc = me.RigidBody("disc", O, L, m, (me.inertia(L, *moments), O))
+    return system_of(N, [disc])
+
+
+def test_a_body_may_turn_about_its_axis_of_symmetry_without_its_frame():
+    disc((1, 2, 1))
+    with pytest.warns(PyDyUserWarning, match="for L are not those of their orientations"):
+        disc((1, 2, 3))
+
+
+def wheel(turning):
+    """A wheel that stands upright, whose hub is located from the point that touches the ground."""
+    N, C = me.ReferenceFrame("N"), me.Point("C")
+    C.set_vel(N, 0)
+    Y = N.orientnew("Y", "Axis", (q[0], N.z))
+    R = Y.orientnew("R", "Axis", (q[1], Y.y))
+    Y.set_ang_vel(N, u[0] * N.z)
+    R.set_ang_vel(Y, u[1] * Y.y)
+    hub = C.locatenew("H", r * Y.z)
+    hub.set_vel(N, turning(R, N).cross(r * Y.z))
+    rider = hub.locatenew("P", length * Y.x)
+    rider.set_vel(N, hub.vel(N) + Y.ang_vel_in(N).cross(length * Y.x))
+    bodies = [me.RigidBody("wheel", hub, R, m, (me.inertia(R, 1, 2, 1), hub))]
+    return system_of(N, [*bodies, me.Particle("rider", rider, m)])
+
+
+def test_a_wheel_moves_as_if_it_turned_about_the_point_where_it_touches():
+    wheel(lambda R, N: R.ang_vel_in(N)).evaluate_ode()
+    with pytest.warns(PyDyUserWarning, match="were set for H are"):
+        wheel(lambda R, N: 2 * R.ang_vel_in(N)).evaluate_ode()
