@@ -40,6 +40,8 @@ def bead(velocity):
 def test_a_wrong_sign_is_told():
     with pytest.warns(PyDyUserWarning, match=r"that were set for P are not .* from O,"):
         bead(lambda A: u[1] * A.x - q[1] * u[0] * A.y)
+    with pytest.warns(PyDyUserWarning, match=r"that were set for P are not .* from O,"):
+        bead(lambda A: u[1] * A.x + u[0] * A.y)
     bead(lambda A: u[1] * A.x + q[1] * u[0] * A.y)
 
 

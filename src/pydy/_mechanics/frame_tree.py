@@ -184,6 +184,27 @@ class FrameTree:
                 point = paths[point][0]
         return paths
 
+    def located_beside_speeds(self, points: Iterable[Point]) -> dict[Point, BaseAndSteps]:
+        """Return where points are whose velocity has speeds as components, along axes that turn.
+
+        Each with the nearest point at rest, and the vectors from there. The equations do not need
+        these positions.
+        """
+        simple = [p for p in points if (v := self.velocity(p)) is not None and _of_speeds(v)]
+        located: dict[Point, BaseAndSteps] = {}
+        for point in simple:
+            before = self.points_from([point])
+            resting = (p for p in before if getattr(self.velocity(p), "args", None) == [])
+            if (base := next(resting, None)) is None:
+                continue
+            steps, at = [], base
+            while (after := before[at]) is not None:
+                steps.append(self.positions(after)[at])
+                at = after
+            if any(frame is not self.inertial for step in steps for _, frame in step.args):
+                located[point] = base, tuple(steps)
+        return located
+
     def _hung(
         self, targets: Sequence[Point], nearest: dict[Point, Point | None]
     ) -> Callable[[Point], BaseAndSteps]:

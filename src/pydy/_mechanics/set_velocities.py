@@ -32,22 +32,35 @@ from pydy._rank import DIGITS
 if TYPE_CHECKING:
     from sympy.physics.mechanics import Point, ReferenceFrame, RigidBody
 
+    from pydy._mechanics.frame_tree import BaseAndSteps
 
-def warn_of_velocities(body: Multibody, differing: Collection[Point]) -> None:
-    """Warn of points whose velocity was set, is `differing` from positions, and not explained."""
+
+def warn_of_velocities(
+    body: Multibody, differing: Collection[Point], aside: Mapping[Point, BaseAndSteps]
+) -> None:
+    """Warn of points whose velocity was set, differs from that of the position, unexplained.
+
+    Of the points `differing` the equations need the position, of those `aside` they do not; with
+    each of these, the point that it is located from, and the vectors from there.
+    """
     if body.constraints.velocity:
         return
-    k = moving(body, in_bodies=False, fixed_honoured=differing)
+    bases = [base for base, _ in aside.values()]
+    k = moving(body, in_bodies=False, fixed_honoured=differing, further_points=bases)
+    for point, (base, steps) in aside.items():
+        parts = [part for step in steps for part in step.args]
+        k.reroute(point, base, [k.frames.in_axes(k.read.all(v), frame) for v, frame in parts])
     frames = dict.fromkeys(item.frame for item in body.bodies if is_rigid(item))
     spins = [k.spin(frame, k.inertial)[0] for frame in frames]
     moved = [v for point in k.moved() for pair in _offsets(k, point) for v in pair]
     located = {*inputs_of(k.graph, [n for v in (*spins, *moved) for n in v])}
-    points = [point for point in differing if not _is_explained(k, point, spins, located)]
+    candidates = dict.fromkeys((*differing, *aside))
+    points = [point for point in candidates if not _is_explained(k, point, spins, located)]
     if points:
-        bases = [k.path(point)[0] for point in points]
+        origins = list(dict.fromkeys(k.path(point)[0] for point in points))
         warn_user(
             f"The velocities that were set for {describe(points)} are not the derivatives of "
-            f"their positions from {describe(list(dict.fromkeys(bases)))}, and the equations "
+            f"their positions from {describe(origins)}, and the equations "
             "contain them as they are. Use `v1pt_theory`, `v2pt_theory`, or set no velocity: it "
             "is derived then."
         )
