@@ -2281,6 +2281,7 @@ class System:
             Without `until`, the motion must not depend on them.
         until : Event, optional
             The period ends when this happens, after its reset: the impact of a walker's foot, say.
+            Other events on the way are given as `events`.
         progress : bool, optional
             Whether to show a progress bar, with the remaining gap; requires tqdm.
         contacts : pydy.contact.Contacts, optional
@@ -2324,7 +2325,14 @@ class System:
         if until is not None:
             instance(until, Event, "`until`", "a pydy.solvers.Event")
         further = solver_kwargs.get("events", ())
-        events = [*([] if until is None else [until]), *listed("events", further, "events")]
+        events = [further] if isinstance(further, Event) else listed("events", further, "events")
+        # All events of a model may be listed, the one that ends the period among them.
+        further = [event for event in events if event != until]
+        if further:
+            solver_kwargs["events"] = further
+        else:
+            solver_kwargs.pop("events", None)
+        events = further if until is None else [until, *further]
         problem = self._now(events or None, contacts=self._checked_contacts(contacts))
         return find_periodic_orbit(
             problem,
