@@ -3079,7 +3079,8 @@ class System:
         Raises
         ------
         ValueError
-            Unknown suffix, or a specified given by a function or by samples.
+            Unknown suffix, a specified given by a function or by samples, or one in `inputs` that
+            an expression gives.
         GeneratorError
             No C compiler was found for the binary of an FMU, or it failed.
 
