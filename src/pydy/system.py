@@ -2699,10 +2699,11 @@ class System:
         control_sensitivities : bool, optional
             As in `simulate`.
         reduce : optional
-            What to return instead of the values at all times: ``'final'``; ``('max', name)`` or
-            ``('min', name)`` of a state or output; ``'events'`` or ``('events', number)`` for the
-            first times of each event; a list of these; or a function that takes the Dataset of some
-            samples and returns a Dataset that keeps the sample dimensions.
+            What to return instead of the values at all times: ``'final'``, those at the last time,
+            or after the terminal event that ended a sample; ``('max', name)`` or ``('min', name)``
+            of a state or output; ``'events'`` or ``('events', number)`` for the first times of each
+            event; a list of these; or a function that takes the Dataset of some samples and returns
+            a Dataset that keeps the sample dimensions.
         chunks : int, 'auto' or dict of str to int, optional
             Sizes of blocks of samples. The Dataset is then lazy: it contains Dask arrays, computed
             by the scheduler that you choose. 'auto' makes blocks of at most 8 MB of results, and

@@ -71,8 +71,8 @@ def _input_columns(
     named = [definition.specifieds[k] for k in sorted(requested)]
     if formulas := [symbol for symbol in named if symbol in prescribed]:
         raise ValueError(
-            f"`inputs` has {describe(formulas)}, given by a SymPy expression in `specifieds`, which "
-            "becomes part of the equations. Give a number in its place, the value at the start, "
+            f"`inputs` has {describe(formulas)}, given by a SymPy expression in `specifieds`, "
+            "which becomes part of the equations. Give a number in its place, the value at the start, "
             "and it becomes an input."
         )
     for columns, source in (
