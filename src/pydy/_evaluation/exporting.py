@@ -72,8 +72,8 @@ def _input_columns(
     if formulas := [symbol for symbol in named if symbol in prescribed]:
         raise ValueError(
             f"`inputs` has {describe(formulas)}, given by a SymPy expression in `specifieds`, "
-            "which becomes part of the equations. Give a number in its place, the value at the start, "
-            "and it becomes an input."
+            "which becomes part of the equations. Give a number in its place, the value at the "
+            "start, and it becomes an input."
         )
     for columns, source in (
         *((part[0], "a Python function") for part in plan.inputs.functions),
