@@ -201,6 +201,9 @@ def test_energies_are_drawn():
     assert_drawn(ax, trajectory.energy.T)
     assert labels(ax) == ["kinetic", "potential", "total"]
     assert ax.get_ylabel() == "energy (J)"
+    ax = plot_energy(trajectory, unit=("kJ", 1e-3))
+    assert_drawn(ax, 1e-3 * trajectory.energy.T)
+    assert ax.get_ylabel() == "energy (kJ)"
 
 
 def test_the_phase_is_a_coordinate_and_its_rate():

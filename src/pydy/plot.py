@@ -33,6 +33,7 @@ from pydy._checks import (
     one_or_more,
     shown,
     text,
+    unit_and_factor,
 )
 from pydy._dataset import ENERGIES, STATES
 from pydy._interpolation import detailed
@@ -461,7 +462,11 @@ def plot_constraints(
 
 
 def plot_energy(
-    result: Results, *, ax: Axes | None = None, unit: str = "", time_unit: str = ""
+    result: Results,
+    *,
+    ax: Axes | None = None,
+    unit: str | tuple[str, float] = "",
+    time_unit: str = "",
 ) -> Axes:
     """Plot the kinetic, the potential and the total energy over time.
 
@@ -471,7 +476,10 @@ def plot_energy(
         A Dataset must have the variables 'kinetic_energy', 'potential_energy' and 'total_energy',
         as ``trajectory.to_xarray(energy=True)`` gives them.
     ax : matplotlib Axes, optional
-    unit, time_unit : str, optional
+    unit : str or (str, float), optional
+        Unit to show, or the unit and the factor that the energies are multiplied by:
+        ``('kJ', 1e-3)``.
+    time_unit : str, optional
 
     Returns
     -------
@@ -482,12 +490,14 @@ def plot_energy(
     ValueError
         The energies are not known; see `System.evaluate_energy`.
     """
-    unit = text(unit, "`unit`")
+    label_of_unit, factor = unit_and_factor(unit, "unit")
     curves = []
     for k, (label, run) in enumerate(runs_of(result)):
         times, table = _energies(run)
         curves += [
-            PlotCurve(name.removesuffix("_energy"), "", times, values, unit, label, k)
+            PlotCurve(
+                name.removesuffix("_energy"), "", times, factor * values, label_of_unit, label, k
+            )
             for name, values in table.items()
         ]
     return _draw(ax, curves, "energy", time_unit)

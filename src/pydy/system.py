@@ -2282,6 +2282,7 @@ class System:
             Without `until`, the motion must not depend on them.
         until : Event, optional
             The period ends when this happens, after its reset: the impact of a walker's foot, say.
+            Other events on the way are given as `events`.
         progress : bool, optional
             Whether to show a progress bar, with the remaining gap; requires tqdm.
         contacts : pydy.contact.Contacts, optional
@@ -2325,7 +2326,14 @@ class System:
         if until is not None:
             instance(until, Event, "`until`", "a pydy.solvers.Event")
         further = solver_kwargs.get("events", ())
-        events = [*([] if until is None else [until]), *listed("events", further, "events")]
+        events = [further] if isinstance(further, Event) else listed("events", further, "events")
+        # All events of a model may be listed, the one that ends the period among them.
+        further = [event for event in events if event != until]
+        if further:
+            solver_kwargs["events"] = further
+        else:
+            solver_kwargs.pop("events", None)
+        events = further if until is None else [until, *further]
         problem = self._now(events or None, contacts=self._checked_contacts(contacts))
         return find_periodic_orbit(
             problem,
@@ -2692,10 +2700,11 @@ class System:
         control_sensitivities : bool, optional
             As in `simulate`.
         reduce : optional
-            What to return instead of the values at all times: ``'final'``; ``('max', name)`` or
-            ``('min', name)`` of a state or output; ``'events'`` or ``('events', number)`` for the
-            first times of each event; a list of these; or a function that takes the Dataset of some
-            samples and returns a Dataset that keeps the sample dimensions.
+            What to return instead of the values at all times: ``'final'``, those at the last time,
+            or after the terminal event that ended a sample; ``('max', name)`` or ``('min', name)``
+            of a state or output; ``'events'`` or ``('events', number)`` for the first times of each
+            event; a list of these; or a function that takes the Dataset of some samples and returns
+            a Dataset that keeps the sample dimensions.
         chunks : int, 'auto' or dict of str to int, optional
             Sizes of blocks of samples. The Dataset is then lazy: it contains Dask arrays, computed
             by the scheduler that you choose. 'auto' makes blocks of at most 8 MB of results, and
@@ -3077,7 +3086,8 @@ class System:
         Raises
         ------
         ValueError
-            Unknown suffix, or a specified given by a function or by samples.
+            Unknown suffix, a specified given by a function or by samples, or one in `inputs` that
+            an expression gives.
         GeneratorError
             No C compiler was found for the binary of an FMU, or it failed.
 

@@ -57,6 +57,25 @@ def test_a_force_between_two_points_has_that_of_their_distance(plane):
     assert differs_by_a_constant(found.expression, K * (size - L) ** 2 / 2)
 
 
+def test_forces_of_several_laws_that_one_load_adds_up_have_the_sum_of_their_energies(plane):
+    frame, origin, place = plane
+    hook = origin.locatenew("hook", 3 * frame.x + 4 * frame.y)
+    rope, way = place.pos_from(hook), place.pos_from(origin)
+    length, distance = rope.magnitude(), way.magnitude()
+    load = (
+        -M * G * frame.y
+        - C * way / distance**3
+        - K * sm.Max(0, length - L) * rope / length
+        - 5 * U[0] * frame.x  # a damper
+    )
+    found = potential(plane, [(place, load)])
+    assert not found.unknown
+    expected = M * G * Q[1] - C / distance + K * sm.Max(0, length - L) ** 2 / 2
+    difference = sm.lambdify((*Q, M, G, C, K, L), found.expression - expected)
+    values = [difference(*at, 2.0, 9.81, 3.0, 7.0, 2.5) for at in ((1, 1), (3, 3), (2, 5), (8, -2))]
+    assert values == pytest.approx([values[0]] * 4, abs=1e-12)
+
+
 @pytest.mark.parametrize(
     ("force", "energy"),
     [

@@ -48,6 +48,23 @@ def test_transitions_and_users_events_are_told_of_each_sample():
     assert result["y"].shape == (2,)
 
 
+def test_the_final_state_is_the_one_after_a_terminal_event():
+    system, floor = ball(restitution=0.5)
+    system.times, system.outputs = np.linspace(0.0, 1.0, 3), {"twice": 2 * y}
+    apex = Event(system.states[1], direction=-1, terminal=True, name="apex")
+    heights = np.array([1.0, 0.5, 7.0])
+    ends = system.integrate_ensemble(
+        contacts=Contacts(system, [floor]), initial_conditions={y: heights, system.states[1]: -1.0},
+        events=apex, reduce="final", **TIGHT,
+    )  # fmt: skip
+    assert ends.status.values.tolist() == [5, 5, 0]
+    # A quarter of the energy is left after the impact; the third has not fallen yet.
+    highest = np.array([*(heights[:2] + 0.5 / 9.81) / 4, 7.0 - 1.0 - 9.81 / 2])
+    assert ends["y"].values == pytest.approx(highest, abs=1e-10)
+    assert ends["twice"].values == pytest.approx(2 * highest, abs=1e-10)
+    assert ends["floor_gap"].values == pytest.approx(highest, abs=1e-10)
+
+
 def test_samples_have_the_sensitivities_that_they_have_alone():
     system, feet = falling_body([(-1, -0.2), (1, -0.2)], restitution=e, mu=mu)
     system.constants.update({J: 0.4, e: 0.3, mu: 0.3})

@@ -5,6 +5,7 @@ import pytest
 import sympy as sm
 
 from optional import optional
+from pydy.ensemble.model import EnsembleModel
 from pydy.errors import PyDyUserWarning
 from pydy.models import multi_mass_spring_damper
 from pydy.solvers import Event
@@ -165,6 +166,43 @@ def test_the_final_state_is_that_of_the_whole_trajectory_to_the_last_bit():
     assert "time" not in final.sizes
     for s in system.states:
         assert same_bits(final[s.name], whole[s.name].isel(time=-1))
+
+
+@pytest.mark.parametrize("in_lanes", [True, False])
+@pytest.mark.parametrize("reduce", ["final", ["final", ("events", 1), ("max", "x0")]])
+def test_the_final_state_is_the_one_after_a_terminal_event(
+    oscillator, monkeypatch, in_lanes, reduce
+):
+    x, v = oscillator.states
+    k, t = constant(oscillator, "k0"), sm.Symbol("t")
+    oscillator.outputs = {sm.Symbol("power"): k * x * v, sm.Symbol("late"): t + x + v}
+    if not in_lanes:
+        monkeypatch.setattr(EnsembleModel, "in_lanes", False)
+    stop = Event(x, direction=-1, terminal=True, reset={v: -v / 2}, name="stop")
+    ends = oscillator.integrate_ensemble(
+        initial_conditions={x: 1.0}, constants={k: [1.0, 4.0, 0.25]},
+        events=stop, reduce=reduce, rtol=1e-11, atol=1e-11,
+    )  # fmt: skip
+    assert ends.status.values.tolist() == [5, 5, 0]
+    # x = cos √k t has its first zero at t = π/(2 √k), where v = −√k; the third does not come there.
+    when = np.array([np.pi / 2, np.pi / 4, 2.0])
+    at, speed = np.array([0.0, 0.0, np.cos(1.0)]), np.array([0.5, 1.0, -0.5 * np.sin(1.0)])
+    np.testing.assert_allclose(ends.end_time, when, atol=1e-9)
+    np.testing.assert_allclose(ends.x0, at, atol=1e-9)
+    np.testing.assert_allclose(ends.v0, speed, atol=1e-9)
+    np.testing.assert_allclose(ends.power, [1.0, 4.0, 0.25] * at * speed, atol=1e-9)
+    np.testing.assert_allclose(ends.late, when + at + speed, atol=1e-9)
+
+
+def test_an_output_that_is_undefined_after_a_terminal_event_is_warned_of(oscillator):
+    x, v = oscillator.states
+    oscillator.outputs = {sm.Symbol("inverse"): 1 / (v + 0.5)}
+    stop = Event(x, direction=-1, terminal=True, reset={v: -sm.S.Half})
+    with pytest.warns(PyDyUserWarning, match=r"inverse"):
+        ends = oscillator.integrate_ensemble(
+            initial_conditions={x: [1.0, 2.0]}, events=stop, reduce="final"
+        )
+    assert np.isinf(ends.inverse).all()
 
 
 def test_extremes_are_those_at_the_times():

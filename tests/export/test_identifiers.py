@@ -80,6 +80,14 @@ def test_a_specified_that_only_python_can_compute_is_named(tmp_path, value, what
     assert "'F': 0.0" in (tmp_path / "pendulum.py").read_text()
 
 
+@pytest.mark.parametrize("name", ["pendulum.py", "pendulum.c", "pendulum.js", "pendulum.fmu"])
+def test_an_input_that_an_expression_gives_is_refused(tmp_path, name):
+    system = pendulum()
+    system.specifieds = {"F": sm.sin(3 * sm.Symbol("t"))}
+    with pytest.raises(ValueError, match=r"`inputs` has F\(t\), given by a SymPy expression"):
+        system.export(tmp_path / name, inputs=["F"])
+
+
 def test_an_expression_becomes_part_of_the_equations(tmp_path):
     system = pendulum()
     system.specifieds = {"F": sm.sin(3 * sm.Symbol("t"))}

@@ -150,6 +150,23 @@ def test_a_pendulum_that_turns_over_repeats_where_an_event_sets_it_back():
     assert orbit.multipliers == pytest.approx(np.exp(-1.6 * orbit.period), rel=1e-8)
 
 
+def test_events_on_the_way_act_beside_the_one_that_ends_the_period():
+    # A clock: each swing of a damped oscillator is pushed in the middle. Its speeds after a push
+    # repeat where U d + push = U, with the decay d = exp(-ζ ω T/2) over half a period.
+    system = on_a_line(lambda x, v, mu: -2 * 0.1 * v - x)
+    (x, v), push, root = system.states, 0.02, np.sqrt(1 - 0.1**2)
+    decay = np.exp(-0.1 * np.pi / root)
+    tick = Event(x, direction=1, reset={v: v + push}, name="tick")
+    tock = Event(x, direction=-1, reset={v: v - push}, name="tock")
+    system.initial_conditions = {x: 0.05}
+    for events in (tock, [tock], iter([tick, tock])):
+        orbit = system.find_periodic_orbit(6.0, until=tick, events=events)
+        assert orbit.period == pytest.approx(2 * np.pi / root, rel=1e-10)
+        assert orbit.initial_conditions[v] == pytest.approx(push / (1 - decay), rel=1e-10)
+        assert orbit.trajectory.events[0].time == pytest.approx(np.pi / root, rel=1e-10)
+        np.testing.assert_allclose(np.abs(orbit.multipliers), [decay**2, 0.0], atol=1e-9)
+
+
 def shaken(rate, amplitude=0.01, length=0.2, gravity=9.81):
     m, l, g, a, w = sm.symbols("m l g a w")
     q, u = me.dynamicsymbols("q u")

@@ -151,7 +151,10 @@ def test_results_go_into_xarray_and_pictures(over_speed):
     dataset = over_speed.to_xarray()
     assert dict(dataset["real"].sizes) == {"u_x": 101, "branch": 10}
     assert dataset["imag"].sel(u_x=4.0, method="nearest").max() > 3.0
-    assert over_speed.plot(unit="m/s").get_xlabel() == "$u_{x}$ (m/s)"
+    ax = over_speed.plot(unit="m/s")
+    assert ax.get_xlabel() == "$u_{x}$ (m/s)"
+    dotted = [line.get_xdata()[0] for line in ax.get_lines() if line.get_linestyle() == ":"]
+    assert dotted == [crossing.value for crossing in over_speed.crossings()]
     assert over_speed.plot_root_locus().get_ylabel() == "imaginary part (1/s)"
     plt.close("all")
     with pytest.raises(TypeError, match="`ax` must be Matplotlib Axes"):

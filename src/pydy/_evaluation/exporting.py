@@ -62,11 +62,19 @@ def _input_columns(
     """Return the columns in r of the exported model's inputs, ascending.
 
     These are all specifieds that no expression gives. The argument `inputs` only permits those that
-    functions or samples give; it neither orders nor selects. A live page has no such argument,
+    functions or samples give; it neither orders nor selects, and must not name those that
+    expressions give, because these are parts of the equations. A live page has no such argument,
     which is None: its inputs are numbers.
     """
     requested = {definition.places["specifieds"].find(key, "inputs") for key in inputs or ()}
     prescribed = followed(definition, plan)
+    named = [definition.specifieds[k] for k in sorted(requested)]
+    if formulas := [symbol for symbol in named if symbol in prescribed]:
+        raise ValueError(
+            f"`inputs` has {describe(formulas)}, given by a SymPy expression in `specifieds`, "
+            "which becomes part of the equations. Give a number in its place, the value at the "
+            "start, and it becomes an input."
+        )
     for columns, source in (
         *((part[0], "a Python function") for part in plan.inputs.functions),
         *((part[0], "samples") for part in plan.inputs.sampled),

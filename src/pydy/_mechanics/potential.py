@@ -24,6 +24,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import sympy as sm
 from sympy.physics.mechanics import Point, ReferenceFrame, Vector
+from sympy.utilities.iterables import sift
 
 from pydy._checks import shown
 from pydy._errors import UnsupportedFunctionError
@@ -155,18 +156,16 @@ class _PotentialSearch:
         """Return the potential of all loads that do work, verified; or what has none, and why."""
         loads = [load for load in self.mechanism.loads if self._does_work(load[0])]
         loads = [load for load in loads if not self._recognise_constant_load(*load)]
-        terms = [
-            term
-            for location, vector in self._recognise_central_forces(loads)
-            for term in self._terms(location, vector)
-        ]
-        terms = [term for term in terms if not self._recognise_constant_force(term)]
-        terms = [term for term in terms if not self._recognise_by_height(term)]
         before = len(self.recognised)
-        unlocated, unknown = self._recognise_closed_forms(terms)
-        if unknown:  # one load of an opposite pair may have been recognised alone
+        unlocated, unknown = self._recognise_loads(loads)
+        if unknown:  # forces of different laws may have been added at a point
+            parts = [part for load in loads for part in self._parts_by_law(*load)]
+            of_whole_loads = self.recognised[before:]
             del self.recognised[before:]
-            unlocated, unknown = self._recognise_closed_forms(self._recognise_along_one_rate(terms))
+            if len(parts) == len(loads) or self._recognise_loads(parts)[1]:
+                self.recognised[before:] = of_whole_loads
+            else:
+                unlocated, unknown = [], []
         load_energy, powers = (
             sm.Add(*(energy for energy, _ in self.recognised)),
             [p for _, p in self.recognised],
@@ -193,6 +192,43 @@ class _PotentialSearch:
             )
         advice = [_NO_PLACE] * bool(unlocated) + [_NO_INTEGRAL] * (len(unknown) > len(unlocated))
         return Potential(load_energy, _names(unknown), " ".join(advice))
+
+    def _recognise_loads(self, loads: Sequence[Load]) -> tuple[list[_Term], list[_Term]]:
+        """Recognise loads in all forms; return those without a position, and all unknown ones."""
+        terms = [
+            term
+            for location, vector in self._recognise_central_forces(loads)
+            for term in self._terms(location, vector)
+        ]
+        terms = [term for term in terms if not self._recognise_constant_force(term)]
+        terms = [term for term in terms if not self._recognise_by_height(term)]
+        before = len(self.recognised)
+        unlocated, unknown = self._recognise_closed_forms(terms)
+        if unknown:  # one load of an opposite pair may have been recognised alone
+            del self.recognised[before:]
+            unlocated, unknown = self._recognise_closed_forms(self._recognise_along_one_rate(terms))
+        return unlocated, unknown
+
+    def _parts_by_law(self, location: Location, vector: Vector) -> list[Load]:
+        """Return the parts of a load whose terms have the same law.
+
+        The law of a term is the product of its factors that are neither constants nor polynomials
+        in coordinates, sines and cosines, as a component of the line between two points is: the
+        attraction and the rope in ``-mu*r/r³ + k*Max(0, L - l)*line/L`` have 1/r³ and Max(0, …)/L.
+        """
+        parts: dict[sm.Expr, Vector] = {}
+        for term in self._terms(location, vector):
+            factors, law = sift(sm.Mul.make_args(term.size), self._is_polynomial, binary=True)
+            part = sm.Mul(*factors) * term.direction
+            parts[sm.Mul(*law)] = parts.get(sm.Mul(*law), Vector(0)) + part
+        # k x₁ − k x₂ as a multiple of x₁ − x₂, which the line between two points is.
+        return [(location, law * part.applyfunc(sm.factor_terms)) for law, part in parts.items()]
+
+    def _is_polynomial(self, factor: sm.Expr) -> bool:
+        """Whether a factor is a constant, or a power of a coordinate, a sine or a cosine."""
+        base, exponent = factor.as_base_exp()
+        known = base in self.coordinates or isinstance(base, (sm.sin, sm.cos))
+        return self._is_constant(factor) or (known and bool(exponent.is_Integer and exponent > 0))
 
     def _velocity(self, location: Location) -> Vector:
         if isinstance(location, Point):

@@ -219,7 +219,7 @@ class _OrbitSearch:
         """Integrate with sensitivities."""
         # Sensitivities control the steps, too: a state at rest would allow steps that are too long.
         request = SensitivityRequest(self.parameters, controlled=True)
-        options = limited_steps({**extra_options, **self.options}, self.best_steps)
+        options = limited_steps({**self.options, **extra_options}, self.best_steps)
         motion = integrate(
             problem, np.array(times), solver=self.solver, sensitivities=request, **options
         )
@@ -274,7 +274,8 @@ class _OrbitSearch:
         times = np.linspace(
             t0 + SKIPPED_START * guess, t0 + _LONGEST_WAIT * guess, num=_SIZE_SAMPLES
         )
-        motion = self.integrated(first.last, times, events=ending)
+        events = [*self.options.get("events", ()), ending]
+        motion = self.integrated(first.last, times, events=events)
         event = next((e for e in reversed(motion.events) if e.name == ending.name), None)
         if event is None:
             raise PeriodicOrbitError(

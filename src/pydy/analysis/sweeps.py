@@ -294,9 +294,14 @@ class EigenvalueSweep:
         return dataset
 
     def plot(self, ax: Any = None, unit: str = "") -> Any:
-        """Plot real parts, and imaginary parts dashed, over the parameter; return the Axes."""
+        """Plot real parts, and imaginary parts dashed, over the parameter; return the Axes.
+
+        Dotted lines are at the `crossings`, which real parts of another size would hide.
+        """
         ax = axes_of(ax, "a plot")
         ax.axhline(0.0, color="0.7", linewidth=0.8)
+        for crossing in self.crossings():
+            ax.axvline(crossing.value, color="0.5", linewidth=0.8, linestyle=":")
         for branch, column in enumerate(self.eigenvalues.T):
             colour = f"C{branch % 10}"
             ax.plot(self.values, column.real, color=colour)

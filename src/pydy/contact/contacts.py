@@ -498,4 +498,6 @@ class ContactMotions:
         if self.columns:
             sensitivities = motion.trajectory.sensitivity
             info["columns"] = np.concatenate([sensitivities.values, sensitivities.outputs], axis=1)
+        if code == Outcome.TERMINATED:
+            info["end_outputs"] = motion.trajectory.at([end]).outputs[0]
         return motion.states, motion.trajectory.outputs, info

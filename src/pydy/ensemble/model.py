@@ -165,7 +165,8 @@ class SampleMotions(Protocol):
     ) -> tuple[np.ndarray, np.ndarray, dict[str, Any]]:
         """Return the states and outputs up to a motion's end, and the info for `Results.note`.
 
-        With sensitivities, the info contains their ``'columns'``, (times, n + o, k).
+        With sensitivities, the info contains their ``'columns'``, (times, n + o, k); of a motion
+        that a terminal event ended, ``'end_outputs'``, (o,), after the event.
         """
         ...
 
@@ -269,6 +270,8 @@ class Results:
     # (n, k, m, times): sensitivities of the states, then of the outputs of `SampleMotions`
     columns: np.ndarray | None = None
     outputs: np.ndarray | None = None  # (o, m, times), of `SampleMotions`
+    # (o,) by sample: the outputs of `SampleMotions` after a terminal event
+    end_outputs: dict[int, np.ndarray] = field(default_factory=dict)
     event_warnings: list[str] = field(default_factory=list)
 
     def take(self, indices: np.ndarray, source: Results) -> None:
@@ -306,6 +309,24 @@ class Results:
             EventRecord(float(t), self.event_names[event], int(event), before, after)
             for t, event, before, after in rows
         ]
+
+    def last_events(self, chosen: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Return the times (m,) of the last events of m samples, and the states (n, m) after them.
+
+        A sample without an event has NaN.
+        """
+        times, states = (
+            np.full(len(chosen), np.nan),
+            np.full((len(self.states), len(chosen)), np.nan),
+        )
+        if (columns := self.columns_of_events) is not None and len(columns.samples):
+            rows = np.searchsorted(columns.samples, chosen, side="right") - 1
+            mine = (rows >= 0) & (columns.samples[rows] == chosen)
+            times[mine], states[:, mine] = columns.times[rows[mine]], columns.after[rows[mine]].T
+        for j in np.flatnonzero(np.isin(chosen, [*self.records])).tolist():
+            if records := self.records[int(chosen[j])]:
+                times[j], states[:, j] = records[-1].time, records[-1].after
+        return times, states
 
     def occurrences(self, event: int, number: int) -> tuple[np.ndarray, np.ndarray]:
         """Return how often an event happened, (m,), and its first times, (m, number) or NaN."""
@@ -433,6 +454,8 @@ class Batch:
             results.outputs[:, k, : len(outputs)] = outputs.T
             if results.columns is not None and len(computed):
                 results.columns[:, :, k, : len(computed)] = np.moveaxis(info["columns"], 0, -1)
+            if "end_outputs" in info:
+                results.end_outputs[k] = info["end_outputs"]
             results.note(k, info)
         return results
 

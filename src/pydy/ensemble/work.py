@@ -17,7 +17,7 @@ from pydy._interpolation import evenly
 from pydy._judges import WatchedQuantities, jump_message
 from pydy._kernel import Inputs
 from pydy._names import numbers_of, some
-from pydy._program import run as interpret
+from pydy._program import Program, run as interpret
 from pydy._rank import DIGITS
 from pydy.ensemble.model import COUNTED, Batch, ConstraintChecks, EnsembleModel, Results
 from pydy.ensemble.samples import PARAMETER, QUANTITY, LabelledArray, Samples, to_dataset
@@ -53,7 +53,7 @@ class Extreme:
 
 @dataclass(frozen=True)
 class _Final:
-    """States and outputs at the last time."""
+    """States and outputs at the last time, or after the terminal event that ended the motion."""
 
 
 @dataclass(frozen=True)
@@ -183,7 +183,11 @@ class Work:
             # motion; a sample that an event ended early has no state at the last time.
             checked = self.assumed is not None or model.constraint_checks is not None
             times = times[evenly(len(times), DriftCheck.MOST_STATES if checked else 2)]
-        logs = model.constraint_checks is not None or _EventTimes in map(type, self.reductions)
+        events = model.options.events
+        ends_early = events is not None and any(trait.terminal for trait in events.traits)
+        kinds = {*map(type, self.reductions)}
+        logs = model.constraint_checks is not None or _EventTimes in kinds
+        logs = logs or (_Final in kinds and ends_early)
         batch = Batch(model, *samples.rows(), stopped, logs)
         results = batch.run(times, states)
         if model.constraint_checks is not None:
@@ -202,6 +206,8 @@ class Work:
         if (values := results.outputs) is not None:
             outputs = lambda at, _: values[:, :, np.searchsorted(times, at)]  # noqa: E731
         reduced = self._reduced(results, times, outputs, batch.output_columns)
+        if _Final in kinds:
+            self._add_early_ends(reduced, batch, results)
         for name in COUNTS:
             reduced[name] = LabelledArray((), results.statistics[name])
         shape, dims = samples.shape, tuple(samples.dims)
@@ -375,7 +381,7 @@ class Work:
                     slopes.append(slope)
             elif isinstance(entry, _Final):
                 last = self._values(self.names, states[:, :, -1:], times[-1:], outputs)
-                reduced |= {name: LabelledArray((), last[name][:, 0]) for name in self.names}
+                reduced |= {name: LabelledArray((), last[name][:, 0].copy()) for name in self.names}
                 if columns is not None:
                     ends = derivatives(slice(-1, None))[..., 0]
                     for name, slope in zip(self.names, ends, strict=True):
@@ -386,6 +392,33 @@ class Work:
         if slopes:
             reduced[SENSITIVITY] = as_variable((), np.array(slopes).transpose(2, 0, 1))
         return reduced
+
+    def _add_early_ends(
+        self, reduced: dict[str, LabelledArray], batch: Batch, results: Results
+    ) -> None:
+        """Write the states and outputs of samples that a terminal event ended, after the event.
+
+        They have no values at the last time. Their derivatives stay NaN.
+        """
+        ended = np.flatnonzero(results.statistics["status"] == Outcome.TERMINATED)
+        if not len(ended):
+            return
+        times, states = results.last_events(ended)
+        for name, row in zip(self.model.states, states, strict=True):
+            reduced[name].values[ended] = row
+        if not self.model.output_names:
+            return
+        if self.model.motions is None:
+            program, x = self.model.outputs, states.T[:, None]
+            assert program is not None
+            outputs = _evaluated(batch, program, ended.tolist(), times[:, None], x)[:, 0]
+        else:
+            outputs = np.array([results.end_outputs[k] for k in ended.tolist()])
+        for name, column in zip(self.model.output_names, outputs.T, strict=True):
+            reduced[name].values[ended] = column
+        wrong = np.flatnonzero(~np.isfinite(outputs).all(axis=1))
+        for j in wrong[:1]:
+            self._warn_of_outputs(outputs[j, :, None, None], times[[j]], states[:, [j], None])
 
     @property
     def labels(self) -> dict[str, list[str]]:
@@ -600,18 +633,27 @@ def _values(
     x: np.ndarray,
 ) -> dict[str, np.ndarray]:
     """Return the values (m, f, ·) of a Program along m of the samples; times are (f,) or (m, f)."""
-    program, sample_indices = programs[name], list(samples)
+    program = programs[name]
     if program is None:
         return {}
-    (m, f, n), t = x.shape, np.broadcast_to(t, x.shape[:2])
+    blocks: dict[str, np.ndarray] = program.signature.by_block(
+        _evaluated(batch, program, samples, t, x)
+    )
+    return blocks
+
+
+def _evaluated(
+    batch: Batch, program: Program, samples: Sequence[int], t: np.ndarray, x: np.ndarray
+) -> np.ndarray:
+    """Return the values (m, f, o) of a Program along m of the samples, by interpretation."""
+    (m, f, n), t, sample_indices = x.shape, np.broadcast_to(t, x.shape[:2]), list(samples)
     r, p = (np.repeat(rows[sample_indices], f, axis=0) for rows in (batch.r, batch.p))
     if batch.model.sampled or batch.model.functions:
         for k, (j, states, times) in enumerate(zip(sample_indices, x, t, strict=True)):
             inputs = Inputs(batch.r[j], batch.model.sampled, batch.model.functions)
             r[k * f : (k + 1) * f] = inputs.rows(states, times)
     flat, _ = interpret(program, t.ravel(), x.reshape(m * f, n), r, p)
-    blocks: dict[str, np.ndarray] = program.signature.by_block(flat.reshape(m, f, -1))
-    return blocks
+    return flat.reshape(m, f, -1)
 
 
 def _suspects(
