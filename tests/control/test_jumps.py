@@ -57,6 +57,13 @@ def test_a_jump_at_the_bound_of_a_control_is_refused():
     problem(over(sm.Piecewise((1, F >= 0), (0, True))), bounds={F: (0.0, 10.0)})
 
 
+@pytest.mark.parametrize("switch", [F > 0, F >= 0, F < 0, F <= 0])
+def test_a_jump_between_two_bounds_is_refused_whichever_side_it_belongs_to(switch):
+    """At F = 0 the integrand has the value of one side; the other one is a jump away."""
+    with pytest.raises(ValueError, match=r"jumps by 1 at F\(t\) = 0"):
+        problem(over(sm.Piecewise((1, switch), (0, True))), bounds={F: (-2.0, 10.0)})
+
+
 def test_a_jump_in_time_is_refused_where_the_duration_is_found():
     problem(over(STEP(T - 1) * F**2))
     with pytest.raises(ValueError, match=r"`Heaviside\(t - 1\)`, which jumps by .* at tf = "):

@@ -1,4 +1,9 @@
-"""Initial guesses and bounds as users give them."""
+"""Initial guesses and bounds as users give them: numbers, samples or motions, evaluated on a mesh.
+
+`OptimalControl._guess` makes the initial point of the search of a `Guess`: states and controls where
+the mesh has them (`Guess.values`), then dependent coordinates that satisfy the constraints
+(`follow_constraints`).
+"""
 
 from __future__ import annotations
 
