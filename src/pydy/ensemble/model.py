@@ -1,4 +1,10 @@
-"""The compiled model of an ensemble, without SymPy, as it is sent to worker processes."""
+"""The compiled model of an ensemble, and the integration of some of its samples.
+
+An `EnsembleModel` has Programs and numbers but no SymPy: it is sent to worker processes. There a
+`Batch` joins it with the numbers of some samples, and `Batch.run` returns their `Results`: in lanes
+if the solver can (`_integrated`), else one by one (`_one_by_one`), with columns of sensitivities
+(`_with_columns`) or by `SampleMotions`, as with contacts.
+"""
 
 from __future__ import annotations
 
