@@ -1,7 +1,7 @@
 """Initial guesses and bounds as users give them: numbers, samples or motions, evaluated on a mesh.
 
-`OptimalControl._guess` makes the initial point of the search of a `Guess`: states and controls where
-the mesh has them (`Guess.values`), then dependent coordinates that satisfy the constraints
+`OptimalControl._guess` makes a search's initial point from a `Guess`: states and controls where the
+mesh has them (`Guess.values`), then dependent coordinates that satisfy the constraints
 (`follow_constraints`).
 """
 
