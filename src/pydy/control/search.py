@@ -1,7 +1,7 @@
 """The search for optimal trajectories: of one problem, or of several that are solved as one.
 
-`TrajectorySearch.solve` solves on one mesh after another (`_solved`), refined where errors exceed the
-tolerance. On each mesh
+`TrajectorySearch.solve` solves on one mesh after another (`_solved`), refined where errors exceed
+the tolerance. On each mesh
 
 1. `_combined_program` makes the nonlinear program, and its initial point from the guess, clipped to
    the bounds; of several problems that are solved together, `_together` joins the programs;
