@@ -151,6 +151,23 @@ def test_a_solution_that_crosses_the_jump_of_an_active_condition_is_told():
     assert solution.objective == pytest.approx(12.0, rel=1e-7)
 
 
+@pytest.mark.parametrize("duration", [0.5, 4.0])
+def test_a_condition_is_active_at_the_times_at_which_it_decides(duration):
+    """Without it F falls on a line from 6/T² at t = 0; the limit of 4/T² decides at first."""
+    limit = 4.0 / duration**2
+    solution = SYSTEM.optimize_trajectory(
+        over(F**2), duration, end={X: 1.0, V: 0.0}, mesh=40, path=[limit >= F]
+    )
+    (condition,) = solution._transcription.problem.path
+    active = solution.active(condition.label)
+    deciding = solution["F"] > (1.0 - 1e-6) * limit
+    assert 0.1 < deciding.mean() < 0.9
+    # Of a step that leaves the limit, points between its nodes decide.
+    (last,) = np.flatnonzero(np.diff(deciding.astype(int)))
+    assert active[1:last].all()
+    assert not active[last + 2 :].any()
+
+
 def test_a_solution_that_crosses_the_cut_of_an_angle_is_told():
     # atan2 jumps by 2π where x passes 1/2 while its second argument is negative.
     angle = sm.atan2(X - HALF, -V - 1) - 1

@@ -87,7 +87,7 @@ class EnsembleSensitivities:
         """The number of additional inputs at the end of r."""
         return sum(len(columns) for columns, _ in self.sampled)
 
-    def beginning(
+    def at_start(
         self,
         x: np.ndarray,
         t: float,
@@ -581,11 +581,11 @@ class Batch:
         start, codes = np.empty((m, n + sensitivities.start.size)), np.zeros(m, dtype=np.int64)
         for k in range(m):
             inputs = Inputs(batch.r[k], batch.model.sampled)
-            codes[k], values = sensitivities.beginning(self.x[k], t, inputs, self.p[k], _single)
+            codes[k], values = sensitivities.at_start(self.x[k], t, inputs, self.p[k], _single)
             start[k, :n], start[k, n:] = self.x[k], values.ravel()
         return replace(batch, x=start), codes
 
-    def passed(
+    def motion_path(
         self, k: int, times: np.ndarray
     ) -> tuple[MotionPath, Callable[[np.ndarray], np.ndarray]] | None:
         """Integrate sample k; return its motion and its interpolated states, or None."""
