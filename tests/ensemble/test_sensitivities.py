@@ -144,7 +144,7 @@ def test_samples_of_an_input_are_parameters():
 
 @pytest.mark.parametrize("end", [None, 1.2])
 def test_constraints_of_each_sample_have_its_own_specified_beside_samples(end):
-    """1 kg at the height y = a h, h of each sample, pushed by F = t, sampled: x = t³/6, dy/da = h."""
+    """1 kg at y = a h, with h of each sample, pushed by F = t, sampled: x = t³/6, dy/da = h."""
     x, y, F, h = me.dynamicsymbols("x y F h")
     a = sm.Symbol("a")
     frame, origin = inertial_frame()

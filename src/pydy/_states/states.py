@@ -1,4 +1,9 @@
-"""Evaluate a problem at many states: values, derivatives, and natural sizes."""
+"""Evaluate a problem at many states: values, derivatives, and natural sizes.
+
+Derivatives by the states are exact (`EvaluationPoints.slopes`), but for those of specifieds that are
+Python functions of the state, such as controllers: differences (`feedback`), times the exact ones by
+the specifieds.
+"""
 
 from __future__ import annotations
 
