@@ -20,6 +20,7 @@ from zoo import inertial_frame
 from zoo.cases import close, system_of
 from zoo.circle import on_a_circle
 from zoo.singular import slider_crank
+from zoo.ziegler import zieglers_pendulum
 
 
 @cache
@@ -371,6 +372,20 @@ def test_a_model_has_the_samples_of_its_time(interpolation, stiffness):
     np.testing.assert_allclose(model.A[:, 1, 0], np.negative(stiffness), rtol=1e-15)
     one = system.linearize([0.0, 0.0], 1.5, inputs=[])
     assert one.A[1, 0] == pytest.approx(-stiffness[2], rel=1e-15)
+
+
+@pytest.mark.parametrize("force", [0.0, 1.0, -2.5])
+def test_a_force_that_turns_with_a_bar_has_its_part_of_the_stiffness(force):
+    """Ziegler's column: M = [[3, 1], [1, 1]], and a stiffness that is not symmetric under P."""
+    damping = 0.2
+    system = zieglers_pendulum(damping)
+    system.constants = {**system.constants, "P": force}
+    model = system.linearize()
+    mass = np.array([[3.0, 1.0], [1.0, 1.0]])
+    springs = np.array([[2.0, -1.0], [-1.0, 1.0]])
+    stiffness = springs + force * np.array([[-1.0, 1.0], [0.0, 0.0]])
+    np.testing.assert_allclose(mass @ model.A[2:, :2], -stiffness, atol=1e-14)
+    np.testing.assert_allclose(mass @ model.A[2:, 2:], -damping * springs, atol=1e-14)
 
 
 def test_poles_are_plotted():
