@@ -1,8 +1,7 @@
 """Evaluate a problem at many states: values, derivatives, and natural sizes.
 
-Derivatives by the states are exact (`EvaluationPoints.slopes`), but for those of specifieds that are
-Python functions of the state, such as controllers: differences (`feedback`), times the exact ones by
-the specifieds.
+Derivatives by the states are exact (`EvaluationPoints.slopes`), except for specifieds that are
+Python functions of the state, such as controllers: their derivatives are differences (`feedback`).
 """
 
 from __future__ import annotations
