@@ -39,7 +39,7 @@ def _let_age() -> None:
     """Move all objects to the oldest generation, which only full collections visit.
 
     Otherwise the next allocation would visit everything that was just built. Moving also delays the
-    next full collection, in a loop of builds for ever. Therefore it runs here when half of all
+    next full collection, in a loop of builds for ever. Therefore one runs here when half of all
     objects may be newer than the last one, but not before the thresholds allow it.
     """
     global _put_aside, _limit
