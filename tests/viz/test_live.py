@@ -266,10 +266,7 @@ def test_default_shapes_follow_the_sliders_of_mass_and_inertia(moments, lengths)
 
 
 def test_lines_go_through_the_points_of_their_ends_wherever_sliders_move_these():
-    """A slider for the base moves the ground line of a four-bar; each point has a place of its own.
-
-    The places of a track and of a line are those of the page's poses.
-    """
+    """A slider moves the far end of a line at rest: its points are those of the page's poses."""
     q, u, base, l = *me.dynamicsymbols("q u"), *sm.symbols("base l")
     N, O = me.ReferenceFrame("N"), me.Point("O")
     A = N.orientnew("A", "Axis", (q, N.z))

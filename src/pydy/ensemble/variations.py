@@ -39,11 +39,8 @@ def split_specifieds(
         is_value = not together and not callable(value)
         symbolic = isinstance(value, SampledInput) or symbolic_entries(value) is not None
         several = is_value and not symbolic and not hasattr(value, "dims")
-        if (
-            several
-            and isinstance(value, Sequence)
-            and any(isinstance(v, SampledInput) for v in value)
-        ):
+        entries = value if several and isinstance(value, Sequence) else ()
+        if any(isinstance(entry, SampledInput) for entry in entries):
             raise ValueError(
                 f"`specifieds[{key}]` must be numbers, one for each sample, or one SampledInput, "
                 f"which all samples share, got {shown(value)}. For inputs that differ give an "
