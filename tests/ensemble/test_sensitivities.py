@@ -142,11 +142,12 @@ def test_samples_of_an_input_are_parameters():
         assert np.abs(many.sensitivity[k].values - one.sensitivity.values).max() < 1e-12
 
 
-@pytest.mark.parametrize("end", [None, 1.2])
-def test_constraints_of_each_sample_have_its_own_specified_beside_samples(end):
-    """1 kg at y = a h t, with h of each sample, pushed by F = t, sampled: x = t³/6, dy/da = h t.
+@pytest.mark.parametrize(("rise", "end"), [(1 + zoo.T, None), (zoo.T**2, 1.2)])
+def test_constraints_of_each_sample_have_its_own_specified_beside_samples(rise, end):
+    """1 kg at y = a h f(t), with h of each sample, pushed by F = t, sampled: x = t³/6, dy/da = h f.
 
-    With the h of another sample the motion would leave the constraint.
+    What an event ends early is examined sample by sample. With another sample's h it would leave
+    f = t², which begins at rest.
     """
     x, y, F, h = me.dynamicsymbols("x y F h")
     a = sm.Symbol("a")
@@ -157,23 +158,23 @@ def test_constraints_of_each_sample_have_its_own_specified_beside_samples(end):
         [x, y],
         bodies=[me.Particle("mass", point, 1)],
         loads=[(point, F * frame.x)],
-        holonomic_constraints=[y - a * h * zoo.T],
+        holonomic_constraints=[y - a * h * rise],
     )
     push = SampledInput([0.0, 2.0], [0.0, 2.0])
     system = System(model, {a: 2.0}, specifieds={F: push}, times=np.linspace(0.0, 2.0, 5))
     system.ode_solver = "dop853"
-    rises = np.array([1.0, 2.0, -3.0])
-    # What an event ends early is examined sample by sample.
+    given = np.array([1.0, 2.0, -3.0])
+    height, speed = (2.0 * given * float(f.subs(zoo.T, 0)) for f in (rise, rise.diff(zoo.T)))
     events = [] if end is None else [Event(x - end**3 / 6.0, terminal=True)]
     results = system.integrate_ensemble(
-        specifieds={h: rises}, initial_conditions={system.states[3]: 2.0 * rises}, sensitivities=[a],
-        events=events, **FINE,
+        specifieds={h: given}, initial_conditions={y: height, system.states[3]: speed},
+        sensitivities=[a], events=events, **FINE,
     )  # fmt: skip
     expected = Outcome.FINISHED if end is None else Outcome.TERMINATED
     assert results.status.values.tolist() == [expected] * 3
     reached = results.time.to_numpy() <= (2.0 if end is None else end)
     t = results.time.to_numpy()[reached]
-    each = rises[:, None] * t
+    each = given[:, None] * sm.lambdify(zoo.T, rise)(t)
     np.testing.assert_allclose(results.x[:, reached], [t**3 / 6.0] * 3, atol=1e-8)
     np.testing.assert_allclose(results.y[:, reached], 2.0 * each, atol=1e-8)
     slopes = results.sensitivity.sel(quantity="y", parameter="a").values[:, reached]
