@@ -426,6 +426,27 @@ def test_the_files_that_the_design_names_are_there():
     assert rooms - {"__main__"} <= named
 
 
+def test_what_where_to_look_names_is_there():
+    """A file without a folder lies in one that its row names, or directly in the package."""
+    page = (ROOT / "docs/contributing/where.md").read_text(encoding="utf-8")
+    rows = [row for row in page.splitlines() if row.startswith("| ") and "`" in row]
+    assert len(rows) > 60
+    kinds = (".py", ".c", ".h", ".js")
+    sources = [p for p in (*SRC.rglob("*"), *(ROOT / "tests").glob("*")) if p.suffix in kinds]
+    words = {*re.findall(r"\w+", " ".join(path.read_text(encoding="utf-8") for path in sources))}
+    missing, roots = [], (ROOT, SRC / "pydy")
+    for row in rows:
+        names = {*re.findall(r"`([\w./]+)`", row)} - {"__init__.pyi"}
+        inside = [root / name for root in roots for name in names if "/" in name]
+        folders = [*roots, *(path if path.is_dir() else path.parent for path in inside)]
+        for name in names:
+            there = any((folder / name).exists() for folder in folders)
+            is_word = not name.endswith(kinds) and {*re.split(r"[./]", name)} <= words
+            if not (there or is_word):
+                missing.append(name)
+    assert not missing
+
+
 def test_the_diagram_of_nouns_is_made_from_the_code():
     page = (ROOT / "docs/design.md").read_text()
     shown = page[page.index("## Nouns") : page.index("## Example")]

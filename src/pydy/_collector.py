@@ -36,14 +36,14 @@ def collector_paused() -> Iterator[None]:
 
 
 def _let_age() -> None:
-    """Put all objects among the old ones, which the next full collection looks at.
+    """Move all objects to the oldest generation, which only full collections visit.
 
-    Else the next allocation would have all that was built walked through at once. It also puts off
-    that full collection, for ever in a loop of builds: it is done here whenever half of all objects
-    may have come since the last one, but not before the thresholds would have it.
+    Otherwise the next allocation would visit everything that was just built. Moving also delays the
+    next full collection, in a loop of builds for ever. Therefore one runs here when half of all
+    objects may be newer than the last one, but not before the thresholds allow it.
     """
     global _put_aside, _limit
-    if gc.get_freeze_count():  # nobody else's are to be thawed
+    if gc.get_freeze_count():  # frozen by others, who would not expect to see them thawed
         return
     often, seldom, rarely = gc.get_threshold()
     due = False

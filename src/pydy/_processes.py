@@ -1,4 +1,4 @@
-"""Compilers that run as processes end, with all that they have started, when nobody waits."""
+"""Run compilers as processes; they end, with all that they started, when the wait for them ends."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from typing import Any
 from pydy._interrupts import Interrupts
 
 LOOK = 0.1
-"""Seconds between two looks for a signal: one that comes right before a wait does not end it."""
+"""Seconds between two polls for a signal: one that arrives just before a wait does not end it."""
 
 
 @contextlib.contextmanager
@@ -23,12 +23,12 @@ def started(
 ) -> Iterator[subprocess.Popen[str]]:
     """Run a command in a folder; its `stdout` is text and includes its errors.
 
-    It has a group of its own: a compiler's driver that is killed leaves the compiler at work. Its
-    temporary files are in the folder, where those of a compiler that was killed go with the rest.
+    It has a process group of its own: killing a compiler's driver alone would not end the compiler.
+    Temporary files are written into the folder, so that they are deleted with it.
     """
     temporary = dict.fromkeys(("TMPDIR", "TMP", "TEMP"), str(cwd))
     with contextlib.ExitStack() as stack:
-        with Interrupts():  # a Ctrl-C within Popen would leave a process that nobody knows
+        with Interrupts():  # a Ctrl-C within Popen would leave a process behind
             process = stack.enter_context(
                 subprocess.Popen(
                     command,

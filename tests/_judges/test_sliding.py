@@ -7,6 +7,7 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
+from pydy._judges import stuck_at
 from pydy.errors import IntegrationError, PyDyUserWarning
 from pydy.mechanics import Definition
 from pydy.system import System
@@ -81,3 +82,21 @@ def test_a_jump_in_a_condition_on_several_states_is_described():
     system = block(-10 * sm.sign(V + X), ode_solver="dop853")
     with pytest.raises(IntegrationError, match=r"jumps where a condition on x\(t\), v\(t\) turns"):
         system.integrate(max_steps=20_000)
+
+
+@pytest.mark.parametrize("first", [0, 1])
+def test_of_two_jumps_the_one_that_is_reached_first_is_named(first):
+    """Two blocks on the plane slow down by 1 and 2 m/s²; one of them stops after 1 ns."""
+    y, w = me.dynamicsymbols("y w")
+    points = O.locatenew("P", X * N.x), O.locatenew("Q", y * N.x)
+    loads = [(points[0], -sm.sign(V) * N.x), (points[1], -2 * sm.sign(w) * N.x)]
+    bodies = [me.Particle(point.name, point, 1) for point in points]
+    problem = System(Definition(N, [X, y], [V, w], bodies=bodies, loads=loads))._now()
+    speeds = [1e-9, 2e-8] if first == 0 else [1e-8, 2e-9]
+    state = np.array([[0.0, 0.0, *speeds]])
+    name, rates = (("v", "-1 and 1"), ("w", "-2 and 2"))[first]
+    told = stuck_at(problem.at(np.zeros(1), state), 1.0)
+    assert f"the load on {name}(t) jumps where `{name}(t)` passes zero" in told
+    assert f"(at {rates} a second)" in told
+    # At a thousand times the speed the stop is not at this time, to six digits of the span.
+    assert stuck_at(problem.at(np.zeros(1), 1e3 * state), 1e-6) is None

@@ -377,3 +377,23 @@ def test_ways_of_assembly_without_a_pivot_in_common_lose_no_constraint(turned, n
     )
     assert len(system.evaluate_holonomic_constraints({e0: 1.0})) == 4
     np.testing.assert_allclose(system.evaluate_ode({e0: 1.0}), 0.0, atol=1e-14)
+
+
+def test_what_rounding_leaves_of_a_row_is_no_redundant_constraint():
+    """Of velocity rows beside a holonomic one, a multiple is redundant; 5.5e-17 u3 is no row."""
+    frame, origin = inertial_frame()
+    q, u = me.dynamicsymbols("q1:4"), me.dynamicsymbols("u1:4")
+    points = [origin.locatenew(f"P{k}", s * frame.x) for k, s in enumerate(q)]
+    bodies = [me.Particle(point.name, point, 1) for point in points]
+    row = u[1] - 2 * u[2]
+    made = Definition(
+        frame,
+        q,
+        u,
+        bodies=bodies,
+        holonomic_constraints=[q[0] + q[1] - 1],
+        nonholonomic_constraints=[row, 5.5e-17 * u[2], 3 * row],
+    )
+    constraints = made.multibody.constraints
+    assert constraints.velocity[1:] == (row,)
+    assert [*constraints.redundant] == [(), (sm.expand(3 * row),)]

@@ -124,6 +124,34 @@ def test_the_accelerations_are_those_of_sympys_equations(name, way):
         np.testing.assert_allclose(own, expected, rtol=0, atol=1e-12 * abs(expected).max())
 
 
+@pytest.mark.parametrize("way", FORMS)
+def test_an_inertia_in_axes_that_turn_beside_the_body_changes_with_them(way):
+    """A rotor without symmetry whose inertia is written in the axes of its housing: I' is not 0."""
+    q, u = me.dynamicsymbols("q1:4"), me.dynamicsymbols("u1:4")
+    frame, origin, g = me.ReferenceFrame("N"), me.Point("O"), sm.Symbol("g")
+    origin.set_vel(frame, 0)
+    yoke, housing, rotor = (me.ReferenceFrame(name) for name in ("Y", "H", "R"))
+    for own, above, angle, rate, axis in (
+        (yoke, frame, q[0], u[0], frame.z),
+        (housing, yoke, q[1], u[1], yoke.x),
+        (rotor, housing, q[2], u[2], housing.y),
+    ):
+        own.orient_axis(above, axis, angle)
+        own.set_ang_vel(above, rate * axis)
+    centre = origin.locatenew("C", -2 * housing.z)
+    centre.v2pt_theory(origin, frame, housing)
+    inertia = me.inertia(housing, 2, 3, 4, 0.3, 0.2, 0.5)
+    body = me.RigidBody("rotor", centre, rotor, 2, (inertia, centre))
+    kinematic = [a.diff(zoo.T) - b for a, b in zip(q, u, strict=True)]
+    loads = [(centre, -2 * g * frame.z), (rotor, u[2] * rotor.x)]
+    kane = me.KanesMethod(frame, q, u, kinematic, bodies=[body], forcelist=loads)
+    model = zoo.Model(kane, {g: 9.8})
+    x = np.array([0.3, -0.7, 1.1, 0.9, -1.3, 2.1])
+    (found,) = rates(model, way, (x, 0.0))
+    expected = oracle(derived(model)).xdot(x, 0.0)
+    np.testing.assert_allclose(found, expected, rtol=0, atol=1e-12 * abs(expected).max())
+
+
 def test_a_velocity_that_is_not_the_rate_of_its_place_is_the_users():
     model = by_hand.wheel()
     formulations = forms(multibody_of_kane(model.kane), in_bodies=True)

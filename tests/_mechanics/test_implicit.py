@@ -79,3 +79,21 @@ def test_what_follows_one_by_one_is_solved_in_that_order():
 def test_names_are_taken_in_start():
     assert Implicit({Z: Z - X}, {"z": 2}).start == {Z: 2.0}
     assert repr(Implicit({Z: Z - X})) == "<Implicit z(t)>"
+
+
+@pytest.mark.parametrize(("configuration", "rank"), [(-5.0, 1), (5.0, 2)])
+def test_a_configuration_takes_the_place_of_where_the_search_starts(configuration, rank):
+    """Of z² = 25 and (z + 5) y = 0 the second holds by itself where z is -5."""
+    x, y, z = me.dynamicsymbols("x y z")
+    frame, origin = inertial_frame()
+    point = origin.locatenew("P", x * frame.x + y * frame.y)
+    made = Definition(
+        frame,
+        [x, y],
+        bodies=[me.Particle("mass", point, 1)],
+        loads=[(point, z * frame.x)],
+        holonomic_constraints=[(z + 5) * y],
+        configuration={z: configuration},
+    )
+    body = made.multibody_with(Implicit({z: z**2 - 25}, start={z: -configuration}))
+    assert len(body.constraints.holonomic) == rank

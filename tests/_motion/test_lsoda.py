@@ -5,9 +5,11 @@ import sys
 
 import numpy as np
 import pytest
+import sympy as sm
 from scipy.integrate import odeint
 
 import pydy._motion.lsoda as ours
+from pydy.errors import IntegrationError
 
 TIMES = np.linspace(0.0, 10.0, num=41)
 START = np.array([1.0, 0.5, -0.2])
@@ -117,6 +119,26 @@ def test_results_and_errors_are_the_same_with_and_without_the_package():
     assert alone == package
     assert len(alone) >= 5
     assert any("cannot be started by a function that `odeint` calls" in line for line in alone)
+
+
+@pytest.mark.parametrize("sign", [1.0, -1.0], ids=["forward", "back"])
+@pytest.mark.parametrize("public", [False, True])
+@pytest.mark.filterwarnings("ignore::scipy.integrate.ODEintWarning")
+def test_what_was_reached_is_returned_with_the_error_in_both_directions(sign, public):
+    """x' = ±x² with x(0) = 1 is 1/(1 - |t|): LSODA gives up before the pole at |t| = 1."""
+    times = sign * np.array([0.0, 0.5, 0.9, 1.1, 2.0, 3.0])
+    options = {"rtol": 1e-10, "atol": 1e-10, "mxstep": 200}
+    if public:
+        options["printmessg"] = False
+    with pytest.raises(IntegrationError) as told:
+        ours.call_odeint(lambda x, t: sign * x**2, np.ones(1), times, (), [sm.Symbol("x")], options)
+    error = told.value
+    np.testing.assert_array_equal(error.times, times[:3])
+    np.testing.assert_allclose(error.states[:, 0], [1.0, 2.0, 10.0], rtol=1e-7)
+    assert error.info["reached"] == 3
+    # The time at which it gave up, with its state.
+    assert 0.9 < sign * error.time < 1.0
+    assert error.state[0] == pytest.approx(1.0 / (1.0 - abs(error.time)), rel=1e-2)
 
 
 def test_a_release_that_was_not_compared_is_called_by_its_public_name(monkeypatch):

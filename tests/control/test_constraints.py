@@ -327,6 +327,30 @@ def test_dependent_coordinates_of_a_guess_follow_and_free_ones_keep_their_lines(
     np.testing.assert_allclose(rows["y"], np.sin(rows["x"]), atol=1e-5)
 
 
+def test_a_guess_stays_on_the_branch_on_which_it_begins():
+    """Of sin(b - 5 a) = 0, with branches b = 5 a + k pi, the one through the start is followed.
+
+    b has the guess 0 everywhere: alone, each slot would find the branch that is nearest to that.
+    """
+    a, b, F = me.dynamicsymbols("a b F")
+    frame, origin = inertial_frame()
+    points = origin.locatenew("A", a * frame.x), origin.locatenew("B", b * frame.y)
+    made = Definition(
+        frame,
+        [a, b],
+        bodies=[me.Particle(point.name, point, 1) for point in points],
+        loads=[(points[0], F * frame.x)],
+        holonomic_constraints=[sm.sin(b - 5 * a)],
+    )
+    system = System(made)
+    problem = OptimalControl(system, effort(system), 1.0, end={"a": 1.0}, mesh=12)
+    transcription = Transcription(problem._problem, problem._scheme, problem._mesh)
+    states = transcription.split(problem._combined_program([problem._mesh], [None])[1])[0]
+    there = ~transcription.state_slots[1]
+    np.testing.assert_allclose(states[0][there], transcription.state_slots[0][there], atol=1e-12)
+    np.testing.assert_allclose(states[1][there], 5.0 * states[0][there], atol=1e-3)
+
+
 def test_a_guess_that_no_configuration_has_stays():
     system = pendulum_in_a_plane()
     problem = OptimalControl(system, effort(system), 1.0, end={"x": 1.2}, mesh=12)

@@ -57,6 +57,13 @@ def test_a_jump_at_the_bound_of_a_control_is_refused():
     problem(over(sm.Piecewise((1, F >= 0), (0, True))), bounds={F: (0.0, 10.0)})
 
 
+@pytest.mark.parametrize("switch", [F > 0, F >= 0, F < 0, F <= 0])
+def test_a_jump_between_two_bounds_is_refused_whichever_side_it_belongs_to(switch):
+    """At F = 0 the integrand has the value of one side; the other one is a jump away."""
+    with pytest.raises(ValueError, match=r"jumps by 1 at F\(t\) = 0"):
+        problem(over(sm.Piecewise((1, switch), (0, True))), bounds={F: (-2.0, 10.0)})
+
+
 def test_a_jump_in_time_is_refused_where_the_duration_is_found():
     problem(over(STEP(T - 1) * F**2))
     with pytest.raises(ValueError, match=r"`Heaviside\(t - 1\)`, which jumps by .* at tf = "):
@@ -142,6 +149,23 @@ def test_a_solution_that_crosses_the_jump_of_an_active_condition_is_told():
     # Where neither side's condition decides, nothing is said.
     solution = SYSTEM.optimize_trajectory(over(F**2), 1.0, path=[3 + below >= F], **given)
     assert solution.objective == pytest.approx(12.0, rel=1e-7)
+
+
+@pytest.mark.parametrize("duration", [0.5, 4.0])
+def test_a_condition_is_active_at_the_times_at_which_it_decides(duration):
+    """Without it F falls on a line from 6/T² at t = 0; the limit of 4/T² decides at first."""
+    limit = 4.0 / duration**2
+    solution = SYSTEM.optimize_trajectory(
+        over(F**2), duration, end={X: 1.0, V: 0.0}, mesh=40, path=[limit >= F]
+    )
+    (condition,) = solution._transcription.problem.path
+    active = solution.active(condition.label)
+    deciding = solution["F"] > (1.0 - 1e-6) * limit
+    assert 0.1 < deciding.mean() < 0.9
+    # Of a step that leaves the limit, points between its nodes decide.
+    (last,) = np.flatnonzero(np.diff(deciding.astype(int)))
+    assert active[1:last].all()
+    assert not active[last + 2 :].any()
 
 
 def test_a_solution_that_crosses_the_cut_of_an_angle_is_told():

@@ -11,7 +11,8 @@ from oracles import optima
 from oracles.optima import TF, T
 from pydy.control import OptimalControl
 from pydy.control.ipopt import library, solve
-from pydy.control.nlp import SIGNATURES, Nlp, PointGroup, runs_of
+from pydy.control.nlp import SIGNATURES, Nlp, PointGroup, cubics_at, runs_of
+from pydy.inputs import SampledInput
 
 
 def points(nlp, k, y):
@@ -119,6 +120,21 @@ def test_a_program_is_pickled_without_its_addresses():
     y = solution.solution.z / solution._nlp.sizes
     assert set(other.native.addresses) == set(SIGNATURES)
     assert other.native("cost", y) == solution._nlp.native("cost", y)
+
+
+@pytest.mark.parametrize("interpolation", ["linear", "previous", "pchip"])
+def test_cubics_at_times_have_the_values_of_the_samples(interpolation):
+    """At a knot, too: 'previous' jumps there, and the time belongs to the sample that begins."""
+    knots = np.array([0.0, 0.5, 2.0, 3.0])
+    samples = SampledInput(knots, [[1.0, 7.0], [4.0, 5.0], [-2.0, 5.0], [3.0, 9.0]], interpolation)
+    times = np.array([0.0, 0.25, 0.5, 1.9, 2.0, 2.5])
+    rows = cubics_at([(np.array([0, 1]), samples)], times)
+    assert len(rows) == 2 * 5
+    for row, begin in enumerate((0, 5)):
+        knot, *cubic = rows[begin : begin + 5]
+        np.testing.assert_array_equal(knot, [0.0, 0.0, 0.5, 0.5, 2.0, 2.0])
+        values = sum(c * (times - knot) ** k for k, c in enumerate(cubic))
+        np.testing.assert_allclose(values, [samples(t)[row] for t in times], rtol=1e-14)
 
 
 def test_places_that_follow_each_other_are_read_as_runs():

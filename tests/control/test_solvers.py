@@ -1,11 +1,15 @@
 """The same programs by each solver that is installed, and what is told of those that are not."""
 
+import sys
+import types
+
 import numpy as np
 import pytest
 import sympy as sm
 
 from oracles import optima
 from oracles.optima import SOLVERS, TF, T
+from pydy.control import OptimalControl
 from pydy.control.nlp import Native
 from pydy.errors import AnalysisInterrupted, MissingDependencyError, OptimizationError
 
@@ -87,3 +91,39 @@ def test_a_solver_that_is_not_there_is_named(cart, monkeypatch):
         monkeypatch.setitem(__import__("sys").modules, package, None)
         with pytest.raises(MissingDependencyError, match=rf"pip install 'pydy\[{extra}\]'"):
             cart[0].solve(solver=extra)
+
+
+def test_packages_get_multipliers_that_satisfy_the_conditions_of_an_optimum(monkeypatch):
+    """Where a solution starts a search, ∇f + Jᵀ λ − z_L + z_U = 0 in the units of the solver."""
+    missed = []
+
+    class Problem:
+        def __init__(self, n, m, problem_obj, lb, ub, cl, cu):
+            self.program, self.n, self.m = problem_obj, n, m
+            assert lb.shape == ub.shape == (n,)
+            assert cl.shape == cu.shape == (m,)
+
+        def add_option(self, name, value):
+            pass
+
+        def solve(self, y, lagrange, zl, zu):
+            slopes = np.zeros((self.m, self.n))
+            np.add.at(slopes, self.program.jacobianstructure(), self.program.jacobian(y))
+            gradient = self.program.gradient(y)
+            missed.append((gradient + slopes.T @ lagrange - zl + zu, zl, zu))
+            info = {"mult_g": lagrange, "mult_x_L": zl, "mult_x_U": zu, "status": 0}
+            return y, {**info, "obj_val": self.program.objective(y)}
+
+    package = types.ModuleType("cyipopt")
+    package.Problem = Problem
+    monkeypatch.setitem(sys.modules, "cyipopt", package)
+    system, (x, v, F) = optima.double_integrator()
+    problem = OptimalControl(
+        system, TF, TF, end={x: 1.0, v: 0.0}, bounds={F: (-1.0, 1.0), TF: (0.1, 10.0)}, mesh=6
+    )
+    first = problem.solve()
+    again = problem.solve(first, solver="cyipopt")
+    assert again.objective == pytest.approx(first.objective, rel=1e-12)
+    ((residual, below, above),) = missed
+    assert min(below.max(), above.max()) > 1e-3  # of the force at both bounds
+    assert np.abs(residual).max() < 1e-6 * max(below.max(), above.max())

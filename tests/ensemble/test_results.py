@@ -3,13 +3,18 @@
 import numpy as np
 import pytest
 import sympy as sm
+import sympy.physics.mechanics as me
 
 from optional import optional
 from pydy.ensemble.model import EnsembleModel
 from pydy.errors import PyDyUserWarning
+from pydy.inputs import SampledInput
+from pydy.mechanics import Definition
 from pydy.models import multi_mass_spring_damper
 from pydy.solvers import Event
 from pydy.solvers.run.lanes import LaneSolver
+from pydy.system import System
+from zoo import inertial_frame
 from zoo.ensemble_cases import constant, pendulum, random_values, same_bits
 
 xr = optional("xarray")
@@ -142,6 +147,34 @@ def test_radau_serves_in_lanes_and_one_by_one_where_states_are_many(oscillator, 
         assert found[-1].attrs["lanes"] == (8 if most == 2 else 1)
     np.testing.assert_allclose(found[0].x0[1], 2.0 * np.cos(found[0].time), atol=1e-5)
     assert found[0].x0.identical(found[1].x0)
+
+
+@pytest.mark.parametrize(
+    ("solver", "options"), [("dop853", {}), ("radau", {}), ("radau", {"events": True})]
+)
+def test_samples_share_a_sampled_input_beside_specifieds_that_vary(solver, options):
+    """1 kg under F = t, sampled, and G, of each sample, is at G t²/2 + t³/6; one by one, too."""
+    x, F, G = me.dynamicsymbols("x F G")
+    frame, origin = inertial_frame()
+    point = origin.locatenew("P", x * frame.x)
+    model = Definition(
+        frame, [x], bodies=[me.Particle("mass", point, 1)], loads=[(point, (F + G) * frame.x)]
+    )
+    push = SampledInput([0.0, 2.0], [0.0, 2.0])
+    system = System(model, specifieds={F: push}, outputs={sm.Symbol("load"): F + 2 * G})
+    if options:
+        options = {"events": [Event(x - 100.0)]}
+    varied = np.array([-3.0, 0.0, 5.0])
+    results = system.integrate_ensemble(
+        specifieds={G: varied}, times=np.linspace(0.0, 2.0, num=5), ode_solver=solver, rtol=1e-9,
+        atol=1e-9, **options,
+    )  # fmt: skip
+    t, each = results.time.to_numpy(), varied[:, None]
+    np.testing.assert_allclose(results.x, each * t**2 / 2 + t**3 / 6, atol=1e-7)
+    np.testing.assert_allclose(results["load"], t + 2 * each, atol=1e-12)
+    several = [push, SampledInput([0.0, 2.0], [1.0, 1.0])]
+    with pytest.raises(ValueError, match=r"one SampledInput, which all samples share, got \["):
+        system.integrate_ensemble(specifieds={F: several})
 
 
 # -- reductions -----------------------------------------------------------------------------------

@@ -13,9 +13,12 @@ import zoo
 from pydy.ensemble.engine import Ensemble
 from pydy.errors import PyDyUserWarning
 from pydy.inputs import SampledInput
+from pydy.mechanics import Definition
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.solvers import Event
 from pydy.solvers.outcome import Outcome
+from pydy.system import System
+from zoo import inertial_frame
 from zoo.ball import bouncing_ball
 from zoo.cases import system_of
 from zoo.ensemble_cases import constant, identical, pendulum, runaway, same_bits
@@ -137,6 +140,45 @@ def test_samples_of_an_input_are_parameters():
     assert many.parameter.values.tolist() == ["f0[0]", "f0[1]", "f0[2]", "f0[3]", "k0"]
     for k, one in enumerate(singly(system, "k0", stiffness, wanted, **FINE)):
         assert np.abs(many.sensitivity[k].values - one.sensitivity.values).max() < 1e-12
+
+
+@pytest.mark.parametrize(("rise", "end"), [(1 + zoo.T, None), (zoo.T**2, 1.2)])
+def test_constraints_of_each_sample_have_its_own_specified_beside_samples(rise, end):
+    """1 kg at y = a h f(t), with h of each sample, pushed by F = t, sampled: x = t³/6, dy/da = h f.
+
+    What an event ends early is examined sample by sample. With another sample's h it would leave
+    f = t², which begins at rest.
+    """
+    x, y, F, h = me.dynamicsymbols("x y F h")
+    a = sm.Symbol("a")
+    frame, origin = inertial_frame()
+    point = origin.locatenew("P", x * frame.x + y * frame.y)
+    model = Definition(
+        frame,
+        [x, y],
+        bodies=[me.Particle("mass", point, 1)],
+        loads=[(point, F * frame.x)],
+        holonomic_constraints=[y - a * h * rise],
+    )
+    push = SampledInput([0.0, 2.0], [0.0, 2.0])
+    system = System(model, {a: 2.0}, specifieds={F: push}, times=np.linspace(0.0, 2.0, 5))
+    system.ode_solver = "dop853"
+    given = np.array([1.0, 2.0, -3.0])
+    height, speed = (2.0 * given * float(f.subs(zoo.T, 0)) for f in (rise, rise.diff(zoo.T)))
+    events = [] if end is None else [Event(x - end**3 / 6.0, terminal=True)]
+    results = system.integrate_ensemble(
+        specifieds={h: given}, initial_conditions={y: height, system.states[3]: speed},
+        sensitivities=[a], events=events, **FINE,
+    )  # fmt: skip
+    expected = Outcome.FINISHED if end is None else Outcome.TERMINATED
+    assert results.status.values.tolist() == [expected] * 3
+    reached = results.time.to_numpy() <= (2.0 if end is None else end)
+    t = results.time.to_numpy()[reached]
+    each = given[:, None] * sm.lambdify(zoo.T, rise)(t)
+    np.testing.assert_allclose(results.x[:, reached], [t**3 / 6.0] * 3, atol=1e-8)
+    np.testing.assert_allclose(results.y[:, reached], 2.0 * each, atol=1e-8)
+    slopes = results.sensitivity.sel(quantity="y", parameter="a").values[:, reached]
+    np.testing.assert_allclose(slopes, each, atol=1e-8)
 
 
 def test_a_specified_that_varies_is_a_parameter():

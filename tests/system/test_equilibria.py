@@ -49,6 +49,24 @@ def test_inputs_may_be_unknown(pendulum):
     assert found.specifieds[force] == pytest.approx(0.0, abs=1e-14)
 
 
+def test_where_there_is_none_the_unknowns_at_a_bound_are_named():
+    """x'' = -1 - x is zero at x = -1 alone, beyond the bounds of x; y hangs on a spring at 2 m."""
+    x, y = me.dynamicsymbols("x y")
+    frame, origin = inertial_frame()
+    point = origin.locatenew("P", x * frame.x + y * frame.y)
+    load = (point, (-1 - x) * frame.x + (2 - y) * frame.y)
+    made = Definition(frame, [x, y], bodies=[me.Particle("mass", point, 1)], loads=[load])
+    system = System(made, initial_conditions={x: 2.0})
+    for bounds in ({x: (0.5, 3.0)}, {x: (0.5, np.inf)}):
+        with pytest.raises(EquilibriumError, match=r"At a bound: x\. ") as told:
+            system.find_equilibrium(bounds=bounds)
+        assert told.value.values[:2] == pytest.approx([0.5, 2.0], abs=1e-9)
+    system = System(made, {}, initial_conditions={x: 2.0})
+    with pytest.raises(EquilibriumError) as told:
+        system.find_equilibrium([y])
+    assert "At a bound" not in str(told.value)
+
+
 def test_constants_may_be_unknown():
     system = multi_mass_spring_damper(apply_gravity=True)
     found = system.find_equilibrium(["k0"], {"x0": 0.25, "g": 9.81, "m0": 2.0})

@@ -320,6 +320,18 @@ def test_residuals_have_the_unit_of_the_samples_whatever_their_noise(oscillator,
     np.testing.assert_allclose(result.residuals[0]["x0"], left, atol=1e-6)
 
 
+@pytest.mark.parametrize("segments", [1, 2, 5])
+def test_segments_count_each_sample_once(segments):
+    """A mass that nothing holds moves as v t: the least-squares speed is Σ t x / Σ t²."""
+    system = multi_mass_spring_damper()
+    system.constants = {"k0": 0.0, "c0": 0.0}
+    times = np.linspace(0.0, 2.0, 11)
+    samples = 3.0 * times + np.random.default_rng(5).normal(0.0, 0.2, 11)
+    trial = Trial(times, {"x0": samples}, {"x0": 0.0, "v0": 1.0})
+    result = system.fit(["v0"], trial, segments=segments)
+    assert result["v0"] == pytest.approx((times @ samples) / (times @ times), rel=1e-7)
+
+
 def test_segments_find_what_one_shot_does_not():
     """A pendulum of another length runs out of phase: one shot ends in a local minimum."""
     system = n_link_pendulum_on_cart(1, cart_force=False)

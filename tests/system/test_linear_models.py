@@ -11,6 +11,7 @@ from scipy.optimize import brentq
 import zoo
 from pydy.errors import PyDyUserWarning
 from pydy.examples import whipple_bicycle
+from pydy.inputs import SampledInput
 from pydy.linearize import constrained_eigenvalues
 from pydy.mechanics import Definition
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
@@ -19,6 +20,7 @@ from zoo import inertial_frame
 from zoo.cases import close, system_of
 from zoo.circle import on_a_circle
 from zoo.singular import slider_crank
+from zoo.ziegler import zieglers_pendulum
 
 
 @cache
@@ -307,6 +309,83 @@ def test_a_linear_model_and_an_equilibrium_print_what_a_person_reads():
     assert repr(system.find_equilibrium()).startswith("Equilibrium at x0 = 0, v0 = 0; largest")
     long = multi_mass_spring_damper(20).linearize()
     assert "and 28 more; inputs: none" in repr(long)
+
+
+def test_a_frequency_without_a_steady_response_is_named():
+    """An undamped oscillator of 1 rad/s has none there; beside it, it has 1/(1 - w²)."""
+    x, f = me.dynamicsymbols("x f")
+    frame, origin = inertial_frame()
+    place = origin.locatenew("P", x * frame.x)
+    oscillator = Definition(
+        frame, [x], bodies=[me.Particle("mass", place, 1)], loads=[(place, (f - x) * frame.x)]
+    )
+    model = System(oscillator).linearize(inputs=["f"], outputs=["x"])
+    with pytest.raises(np.linalg.LinAlgError, match=r"has 1 rad/s at index 1, .*Leave this freq"):
+        model.frequency_response([0.5, 1.0, 2.0])
+    np.testing.assert_allclose(
+        model.frequency_response([0.5, 2.0])[:, 0, 0], [4.0 / 3.0, -1.0 / 3.0], rtol=1e-14
+    )
+
+
+def test_the_frequency_response_is_that_of_a_spring_and_a_damper():
+    import matplotlib.pyplot as plt
+
+    system = multi_mass_spring_damper(apply_external_forces=True)
+    system.constants = {"m0": 2.0, "c0": 0.3, "k0": 5.0}
+    model = system.linearize(outputs=["x0"])
+    omega = np.array([0.1, 1.5, 20.0])
+    expected = 1.0 / (5.0 - 2.0 * omega**2 + 0.3j * omega)
+    found = model.frequency_response(omega)
+    np.testing.assert_allclose(found[:, 0, 0], expected, rtol=1e-12)
+    magnitude, phase = model.plot_bode("f0", "x0")
+    assert magnitude.get_ylabel() == "magnitude (dB)"
+    assert phase.get_xlabel() == "frequency (rad/s)"
+    assert phase.lines[0].get_ydata()[-1] == pytest.approx(-180.0, abs=2.0)
+    assert all(line.get_visible() for ax in (magnitude, phase) for line in ax.get_xgridlines())
+    assert magnitude.get_legend().get_texts()[0].get_text() == "$f_{0}$ → $x_{0}$"
+    _, turns = model.plot_bode("f0", "x0", omega, unit="Hz")
+    assert turns.get_xlabel() == "frequency (Hz)"
+    np.testing.assert_allclose(turns.lines[0].get_xdata(), omega / (2.0 * np.pi), rtol=1e-15)
+    plt.close("all")
+    with pytest.raises(ValueError, match="`output` must be"):
+        model.plot_bode("f0", "v0")
+    with pytest.raises(ValueError, match="`unit` must be one of 'rad/s', 'Hz', got 'rpm'"):
+        model.plot_bode("f0", "x0", unit="rpm")
+    with pytest.raises(TypeError, match="`axes` must be Matplotlib Axes, got None among them"):
+        model.plot_bode("f0", "x0", axes=[None, None])
+
+
+@pytest.mark.parametrize(
+    ("interpolation", "stiffness"), [("previous", [3.0, 5.0, 5.0]), ("linear", [4.0, 5.0, 2.0])]
+)
+def test_a_model_has_the_samples_of_its_time(interpolation, stiffness):
+    """A spring with k = 3, 5, -1 N/m at 0, 1, 2 s: x'' = -k x, between, at and after a sample."""
+    x, k = me.dynamicsymbols("x k")
+    frame, origin = inertial_frame()
+    place = origin.locatenew("P", x * frame.x)
+    spring = [(place, -k * x * frame.x)]
+    oscillator = Definition(frame, [x], bodies=[me.Particle("mass", place, 1)], loads=spring)
+    samples = SampledInput([0.0, 1.0, 2.0], [3.0, 5.0, -1.0], interpolation)
+    system = System(oscillator, specifieds={k: samples})
+    times = [0.5, 1.0, 1.5]
+    model = system.linearize(np.zeros((3, 2)), times, inputs=[])
+    np.testing.assert_allclose(model.A[:, 1, 0], np.negative(stiffness), rtol=1e-15)
+    one = system.linearize([0.0, 0.0], 1.5, inputs=[])
+    assert one.A[1, 0] == pytest.approx(-stiffness[2], rel=1e-15)
+
+
+@pytest.mark.parametrize("force", [0.0, 1.0, -2.5])
+def test_a_force_that_turns_with_a_bar_has_its_part_of_the_stiffness(force):
+    """Ziegler's column: M = [[3, 1], [1, 1]], and a stiffness that is not symmetric under P."""
+    damping = 0.2
+    system = zieglers_pendulum(damping)
+    system.constants = {**system.constants, "P": force}
+    model = system.linearize()
+    mass = np.array([[3.0, 1.0], [1.0, 1.0]])
+    springs = np.array([[2.0, -1.0], [-1.0, 1.0]])
+    stiffness = springs + force * np.array([[-1.0, 1.0], [0.0, 0.0]])
+    np.testing.assert_allclose(mass @ model.A[2:, :2], -stiffness, atol=1e-14)
+    np.testing.assert_allclose(mass @ model.A[2:, 2:], -damping * springs, atol=1e-14)
 
 
 def test_poles_are_plotted():

@@ -161,50 +161,6 @@ def test_results_go_into_xarray_and_pictures(over_speed):
         over_speed.plot(ax=3)
 
 
-def test_a_frequency_without_a_steady_response_is_named():
-    """An undamped oscillator of 1 rad/s has none there; beside it, it has 1/(1 - w²)."""
-    x, f = me.dynamicsymbols("x f")
-    frame, origin = inertial_frame()
-    place = origin.locatenew("P", x * frame.x)
-    oscillator = Definition(
-        frame, [x], bodies=[me.Particle("mass", place, 1)], loads=[(place, (f - x) * frame.x)]
-    )
-    model = System(oscillator).linearize(inputs=["f"], outputs=["x"])
-    with pytest.raises(np.linalg.LinAlgError, match=r"has 1 rad/s at index 1, .*Leave this freq"):
-        model.frequency_response([0.5, 1.0, 2.0])
-    np.testing.assert_allclose(
-        model.frequency_response([0.5, 2.0])[:, 0, 0], [4.0 / 3.0, -1.0 / 3.0], rtol=1e-14
-    )
-
-
-def test_the_frequency_response_is_that_of_a_spring_and_a_damper():
-    import matplotlib.pyplot as plt
-
-    system = multi_mass_spring_damper(apply_external_forces=True)
-    system.constants = {"m0": 2.0, "c0": 0.3, "k0": 5.0}
-    model = system.linearize(outputs=["x0"])
-    omega = np.array([0.1, 1.5, 20.0])
-    expected = 1.0 / (5.0 - 2.0 * omega**2 + 0.3j * omega)
-    found = model.frequency_response(omega)
-    np.testing.assert_allclose(found[:, 0, 0], expected, rtol=1e-12)
-    magnitude, phase = model.plot_bode("f0", "x0")
-    assert magnitude.get_ylabel() == "magnitude (dB)"
-    assert phase.get_xlabel() == "frequency (rad/s)"
-    assert phase.lines[0].get_ydata()[-1] == pytest.approx(-180.0, abs=2.0)
-    assert all(line.get_visible() for ax in (magnitude, phase) for line in ax.get_xgridlines())
-    assert magnitude.get_legend().get_texts()[0].get_text() == "$f_{0}$ → $x_{0}$"
-    _, turns = model.plot_bode("f0", "x0", omega, unit="Hz")
-    assert turns.get_xlabel() == "frequency (Hz)"
-    np.testing.assert_allclose(turns.lines[0].get_xdata(), omega / (2.0 * np.pi), rtol=1e-15)
-    plt.close("all")
-    with pytest.raises(ValueError, match="`output` must be"):
-        model.plot_bode("f0", "v0")
-    with pytest.raises(ValueError, match="`unit` must be one of 'rad/s', 'Hz', got 'rpm'"):
-        model.plot_bode("f0", "x0", unit="rpm")
-    with pytest.raises(TypeError, match="`axes` must be Matplotlib Axes, got None among them"):
-        model.plot_bode("f0", "x0", axes=[None, None])
-
-
 @pytest.mark.parametrize(
     ("over", "message"),
     [
@@ -286,6 +242,22 @@ def test_ctrl_c_hands_over_the_first_values(monkeypatch):
     np.testing.assert_array_equal(sweep.values, whole.values[:20])
     np.testing.assert_allclose(sweep.eigenvalues, whole.eigenvalues[:20], atol=1e-9)
     np.testing.assert_allclose(sweep.equilibria, whole.equilibria[:20], atol=1e-12)
+
+
+def test_equilibria_that_the_slopes_predict_are_not_solved_for_again(monkeypatch):
+    """Far apart as they are, those of a linear spring, x = F/k, lie on its tangent."""
+    solve_from, calls = pydy.analysis.families.Family.solve_from, []
+
+    def counted(self, z):
+        calls.append(z)
+        return solve_from(self, z)
+
+    monkeypatch.setattr(pydy.analysis.families.Family, "solve_from", counted)
+    system = multi_mass_spring_damper(apply_external_forces=True)
+    system.constants = {"k0": 4.0}
+    sweep = system.eigenvalues({"f0": [1.0, 20.0, 300.0]})
+    np.testing.assert_allclose(sweep.equilibria[:, 0], [0.25, 5.0, 75.0], rtol=1e-12)
+    assert len(calls) == 1  # the first
 
 
 def test_values_in_several_parts_lead_to_the_same_branches(monkeypatch, capsys):

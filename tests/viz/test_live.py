@@ -12,7 +12,7 @@ import zoo
 from pydy.inputs import SampledInput
 from pydy.mechanics import Definition
 from pydy.system import System
-from pydy.viz import Box, Live, Scene, Slider, Sphere, Visual
+from pydy.viz import Box, Line, Live, Scene, Slider, Sphere, Visual
 from pydy.viz.arguments import live_unknowns
 from pydy.viz.defaults import default_shape, inertial_lengths
 from zoo.cases import system_of
@@ -263,3 +263,34 @@ def test_default_shapes_follow_the_sliders_of_mass_and_inertia(moments, lengths)
             for name, length in found.items():
                 value = float(length.xreplace({**numbers, **change}))
                 assert value == pytest.approx(getattr(expected, name), rel=1e-9)
+
+
+def test_lines_go_through_the_points_of_their_ends_wherever_sliders_move_these():
+    """A slider moves the far end of a line at rest: its points are those of the page's poses."""
+    q, u, base, l = *me.dynamicsymbols("q u"), *sm.symbols("base l")
+    N, O = me.ReferenceFrame("N"), me.Point("O")
+    A = N.orientnew("A", "Axis", (q, N.z))
+    A.set_ang_vel(N, u * N.z)
+    P, Q = O.locatenew("P", l * A.x), O.locatenew("Q", base * N.x)
+    O.set_vel(N, 0)
+    P.set_vel(N, l * u * A.y)
+    particle = me.Particle("bob", P, 1)
+    model = Definition(N, [q], [u], bodies=[particle], loads=[(P, -N.y)])
+    system = System(
+        model, {l: 0.5, base: 2.0}, constants_symbols=[l, base], times=[0.0, 1.0],
+        ode_solver="dop853",
+    )  # fmt: skip
+    ends = [Visual(Sphere(0.1), point, name=point.name) for point in (O, P, Q)]
+    lines = [Visual(Line(points), name=name) for name, points in
+             [("ground", (O, Q)), ("coupler", (Q, P, O))]]  # fmt: skip
+    scene = system.scene(*lines, *ends, reference_frame=N, origin=O).animate(system.simulate())
+    data = data_of(scene.html(live={base: (1.0, 3.0)}))
+    visuals, live = data["visuals"], data["live"]
+    places = {v["name"]: k for k, v in enumerate(visuals)}
+    of_lines = {name: live["lines"][places[name]] for name in ("ground", "coupler")}
+    # Points that a slider moves apart are on different tracks.
+    point = {name: live["tracks"][visuals[places[name]]["track"]][1] for name in ("O", "P", "Q")}
+    assert len({*point.values()}) == 3
+    assert of_lines["ground"] == [point["O"], point["Q"]]
+    assert of_lines["coupler"] == [point["Q"], point["P"], point["O"]]
+    assert all(live["lines"][places[name]] is None for name in ("O", "P", "Q"))

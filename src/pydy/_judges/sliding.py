@@ -71,5 +71,5 @@ def stuck_at(at: StateSamples, span: float) -> str | None:
         f"There {subject} jumps where {condition}, and both sides drive the motion back to the "
         f"jump (at {above:.3g} and {below:.3g} a second): it stays there, as a body held by dry "
         "friction does, and no step is short enough. Smooth the jump, as the laws of friction of "
-        "`pydy.contact` do, or let `pydy.contact.Contacts` hold what sticks."
+        "`pydy.contact` do, or let `pydy.contact.Contacts` compute when it sticks."
     )

@@ -1,9 +1,9 @@
 """`odeint`, the default solver: SciPy's interface to LSODA.
 
 `scipy.integrate` imports 350 modules, which take a third of the processor time to a first result;
-`odeint` needs one of them, which is compiled. It is no public interface of SciPy. Therefore it is
-called in the releases in which the tests compare it with `scipy.integrate.odeint`, and where nobody
-has loaded that package; else `scipy.integrate.odeint` is, which returns the same bits.
+`odeint` needs one of them, which is compiled and no public interface of SciPy. It is called only in
+releases in which the tests compare it with `scipy.integrate.odeint`, and while that package is not
+loaded. Otherwise `scipy.integrate.odeint` is called, which returns the same bits.
 """
 
 from __future__ import annotations

@@ -152,7 +152,7 @@ def _leave_out_unknown(
 def _resting(mechanism: Mechanism, frame: Any, origin: Any) -> Any:
     """Return a point at rest in the inertial frame, or None: a scene's origin may move.
 
-    An origin whose velocity nobody set is one where zero was chosen, unless a body is there.
+    If the user set no velocity of the origin, zero was assumed, unless a body is there.
     """
     velocity = FrameTree(mechanism.frame).velocity(origin)
     centres = [body.masscenter for body in mechanism.bodies]

@@ -1,4 +1,8 @@
-"""Evaluate a problem at many states: values, derivatives, and natural sizes."""
+"""Evaluate a problem at many states: values, derivatives, and natural sizes.
+
+Derivatives by the states are exact (`EvaluationPoints.slopes`), except for specifieds that are
+Python functions of the state, such as controllers: their derivatives are differences (`feedback`).
+"""
 
 from __future__ import annotations
 

@@ -104,6 +104,11 @@ class Family:
         return solutions, None
 
     def _near(self, z: np.ndarray, neighbour: np.ndarray) -> bool:
+        """Return whether a neighbour of the equilibrium z lies on the same branch.
+
+        It does if the unknowns change by less than 2 %, or as the slopes at z predict, up to half
+        of the change. Another branch is only solved for again, so that both limits are generous.
+        """
         step = neighbour - z
         size = np.maximum(np.abs(z), np.abs(neighbour))
         if (np.abs(step) <= 0.02 * size + ROUNDED)[:-1].all():

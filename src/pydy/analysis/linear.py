@@ -154,6 +154,11 @@ class LinearModel:
         ------
         numpy.linalg.LinAlgError
             A frequency is that of an undamped eigenvalue, or 0 where there is one of zero.
+
+        Notes
+        -----
+        Inputs are continuous. A controller that holds its output for a sample period T multiplies
+        the response by ``(1 − exp(−iωT)) / (iωT)``, a delay of T/2 at low frequencies.
         """
         omega = real_array(frequencies, "`frequencies`")
         if omega.ndim != 1 or not np.isfinite(omega).all():

@@ -1,4 +1,9 @@
-"""Initial guesses and bounds as users give them."""
+"""Initial guesses and bounds as users give them: numbers, samples or motions, evaluated on a mesh.
+
+`OptimalControl._guess` makes a search's initial point from a `Guess`: states and controls where the
+mesh has them (`Guess.values`), then dependent coordinates that satisfy the constraints
+(`follow_constraints`).
+"""
 
 from __future__ import annotations
 
@@ -63,7 +68,7 @@ def limit(value: object, argument: str, duration: float | None, *, finite: bool 
             raise ValueError(
                 f"{argument} has samples at times, and the duration is free. Give an array, whose "
                 "values lie at equal distances over the motion; or a condition in `path`, on a "
-                "specified that has these samples and stands in one of the outputs."
+                "specified that has these samples and occurs in one of the outputs."
             )
         if value.size != 1:
             raise ValueError(f"{argument} must be samples of one value, got {value.size} a time.")

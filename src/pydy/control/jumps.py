@@ -372,7 +372,7 @@ def refuse_jumps(expressions: Expressions) -> None:
         if message:
             raise ValueError(
                 f"`objective` has {message}. A search follows derivatives, which do not contain "
-                "the jump: it would end anywhere. Use a smooth expression, such as "
+                "the jump: its result would be arbitrary. Use a smooth expression, such as "
                 "(1 + tanh(a/w))/2 for Heaviside(a) with a small width w, keep away from the jump "
                 "with `bounds`, or solve `phases` of which each lies on one side."
             )
@@ -393,8 +393,8 @@ def warn_of_crossings(expressions: Expressions, motion: OptimalTrajectory) -> No
             break
     if message:
         warn_user(
-            f"The solution crosses a jump: {part} holds {message}. Derivatives do not contain the "
-            "jump: this motion is the best of those that cross it near the same times; others may "
+            f"The solution crosses a jump: {part} contains {message}. Derivatives do not contain "
+            "it: this motion is the best of those that cross it near the same times; others may "
             "be better. Compare other guesses, or solve `phases` that end at the jump."
         )
 
@@ -410,8 +410,8 @@ def jumping_conditions(expressions: Expressions) -> str:
             if message:
                 return (
                     f" The condition `{condition.label}` of `{argument}` has {message}: its "
-                    "derivatives do not contain the jump, so that a search that has to stay on "
-                    "one side of it finds no way. Give a condition on what it depends on, such as "
+                    "derivatives do not contain the jump, so that a search does not know on which "
+                    "side of it to stay. Give a condition on what it depends on, such as "
                     "a <= 0 for Heaviside(a) <= 1/2."
                 )
     return ""

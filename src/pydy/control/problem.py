@@ -614,22 +614,22 @@ class OptimalControl(TrajectorySearch[OptimalTrajectory]):
             guess.check_bounds(s, np.array(constants[-1:]), self._bounds_at(s))
         guess.check_bounds(self._symbol, np.array([duration]), self._bounds_at(self._symbol))
         kinks = [0.0] * len(self._kinks)
-        begin = transcription.unknowns_of(x, u, [*constants, *kinks], duration)
+        z = transcription.unknowns_of(x, u, [*constants, *kinks], duration)
         if kinks:
-            kinks = self._at_guess(transcription, begin)
-            begin = transcription.unknowns_of(x, u, [*constants, *kinks], duration)
+            kinks = self._at_guess(transcription, z)
+            z = transcription.unknowns_of(x, u, [*constants, *kinks], duration)
         index = self._snapshot.definition.states.index
         dependent = [*map(index, equations.dependents.coordinates)]
         if dependent and set(dependent) <= set(moving):
             moving = dependent  # the others retain their linear interpolation
         if equations.constraints.enforced_holonomic and moving:
             count = len(equations.constraints.enforced_holonomic)
-            follow_constraints(transcription, begin, moving, count)
-        x = transcription.split(begin)[0]  # which is a view
+            follow_constraints(transcription, z, moving, count)
+        x = transcription.split(z)[0]  # which is a view
         for row in x if slopes.any() else ():
             row[slopes] = np.gradient(row[~slopes], transcription.mesh * duration)
-        begun: np.ndarray = np.clip(begin, lower, upper)
-        return begun
+        clipped: np.ndarray = np.clip(z, lower, upper)
+        return clipped
 
     def _with(self, columns: Sequence[int], numbers: Sequence[float]) -> OptimalControl:
         """Return the problem with other values of constants; it shares the machine code."""

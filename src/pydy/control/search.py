@@ -1,4 +1,16 @@
-"""The search for optimal trajectories: of one problem, or of several that are solved as one."""
+"""The search for optimal trajectories: of one problem, or of several that are solved as one.
+
+`TrajectorySearch.solve` solves on one mesh after another (`_solved`), refined where errors exceed
+the tolerance. On each mesh
+
+1. `_combined_program` makes the nonlinear program, and its initial point from the guess, clipped to
+   the bounds; of several problems that are solved together, `_together` joins the programs;
+2. a solver of `pydy.control.solvers` searches from that point, or from a solution on the same mesh,
+   then with its multipliers;
+3. each problem makes a trajectory of its part of the solution.
+
+The `start` of a problem is the state at which its motion starts, not where the search does.
+"""
 
 from __future__ import annotations
 
@@ -336,8 +348,8 @@ class TrajectorySearch(Generic[Result]):
     def _combined_program(
         self, meshes: Sequence[np.ndarray], guesses: Sequence[object]
     ) -> tuple[Nlp, np.ndarray, list[PhaseProgram]]:
-        """Return the program, the initial guess, and the problems on their meshes."""
-        transcriptions, programs, starts, state_sizes = [], [], [], []
+        """Return the program, the initial point, and the problems on their meshes."""
+        transcriptions, programs, initial_points, state_sizes = [], [], [], []
         for problem, mesh, guess in zip(self._problems, meshes, guesses, strict=True):
             transcription = problem._on(mesh)
             lower, upper = problem._bounds_of(transcription)
@@ -350,22 +362,22 @@ class TrajectorySearch(Generic[Result]):
                 )
                 sizes = sizes_of(transcription, z, lower, upper)[0]
             transcriptions.append(transcription)
-            starts.append(z)
+            initial_points.append(z)
             programs.append(transcription.nlp(lower, upper, sizes))
             state_sizes.append(states)
         # Links determine where later phases begin.
-        self._problems[0]._check_start(transcriptions[0], starts[0], programs[0].sizes)
-        nlp, positions = programs[0], [np.arange(len(starts[0]))]
+        self._problems[0]._check_start(transcriptions[0], initial_points[0], programs[0].sizes)
+        nlp, positions = programs[0], [np.arange(len(initial_points[0]))]
         if len(transcriptions) > 1:
             nlp, positions = self._together(transcriptions, programs)
         _check_freedom(nlp)
-        start = np.empty(nlp.size)
-        for z, at in zip(starts, positions, strict=True):
-            start[at] = z
-        begin = np.clip(start, nlp.lower, nlp.upper)
+        initial = np.empty(nlp.size)
+        for z, at in zip(initial_points, positions, strict=True):
+            initial[at] = z
+        initial = np.clip(initial, nlp.lower, nlp.upper)
         return (
-            nlp.scaled_at(begin),
-            begin,
+            nlp.scaled_at(initial),
+            initial,
             [*map(PhaseProgram, transcriptions, programs, positions, state_sizes)],
         )
 
@@ -421,12 +433,12 @@ class TrajectorySearch(Generic[Result]):
         watch: Callable[[Iteration], None],
     ) -> tuple[Any, Sequence[OptimalTrajectory]]:
         """Return the solution on meshes, and the motions of the problems."""
-        nlp, start, parts = self._combined_program(meshes, guesses)
+        nlp, initial, parts = self._combined_program(meshes, guesses)
         several, warm = len(parts) > 1, None
         last = None if several else guesses[0]
         if isinstance(last, OptimalTrajectory) and last.is_on(parts[0].transcription):
-            warm, start = last.solution, np.clip(last.solution.z, nlp.lower, nlp.upper)
-        solution: NlpSolution = search(nlp, start, watch=watch, warm=warm)
+            warm, initial = last.solution, np.clip(last.solution.z, nlp.lower, nlp.upper)
+        solution: NlpSolution = search(nlp, initial, watch=watch, warm=warm)
         if solution.solved:
             solution = replace(solution, z=_without_turns(nlp, solution.z, parts))
             solution = _at_kinks(nlp, solution, parts)
@@ -456,7 +468,7 @@ class TrajectorySearch(Generic[Result]):
             ) from None
         if not solution.solved:
             begun = [
-                (transcription, program, start[at], problem._controls)
+                (transcription, program, initial[at], problem._controls)
                 for problem, (transcription, program, at, _) in zip(
                     self._problems, parts, strict=True
                 )

@@ -1,4 +1,10 @@
-"""The compiled model of an ensemble, without SymPy, as it is sent to worker processes."""
+"""The compiled model of an ensemble, and the integration of some of its samples.
+
+An `EnsembleModel` has Programs and numbers but no SymPy: it is sent to worker processes. There a
+`Batch` joins it with the numbers of some samples, and `Batch.run` returns their `Results`: in lanes
+if the solver can (`_integrated`), else one by one (`_one_by_one`), with columns of sensitivities
+(`_with_columns`) or by `SampleMotions`, as with contacts.
+"""
 
 from __future__ import annotations
 
@@ -81,7 +87,7 @@ class EnsembleSensitivities:
         """The number of additional inputs at the end of r."""
         return sum(len(columns) for columns, _ in self.sampled)
 
-    def beginning(
+    def at_start(
         self,
         x: np.ndarray,
         t: float,
@@ -598,11 +604,11 @@ class Batch:
         start, codes = np.empty((m, n + sensitivities.start.size)), np.zeros(m, dtype=np.int64)
         for k in range(m):
             inputs = Inputs(batch.r[k], batch.model.sampled)
-            codes[k], values = sensitivities.beginning(self.x[k], t, inputs, self.p[k], _single)
+            codes[k], values = sensitivities.at_start(self.x[k], t, inputs, self.p[k], _single)
             start[k, :n], start[k, n:] = self.x[k], values.ravel()
         return replace(batch, x=start), codes
 
-    def passed(
+    def motion_path(
         self, k: int, times: np.ndarray
     ) -> tuple[MotionPath, Callable[[np.ndarray], np.ndarray]] | None:
         """Integrate sample k; return its motion and its interpolated states, or None."""

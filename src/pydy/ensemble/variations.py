@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pydy._checks import SymbolIndex, check_mapping, merged, number, real_array
+from pydy._checks import SymbolIndex, check_mapping, merged, number, real_array, shown
 from pydy._names import latex_of
 from pydy._problem import Problem
 from pydy.codegen import SpecifiedsPlan, symbolic_entries
@@ -39,6 +39,14 @@ def split_specifieds(
         is_value = not together and not callable(value)
         symbolic = isinstance(value, SampledInput) or symbolic_entries(value) is not None
         several = is_value and not symbolic and not hasattr(value, "dims")
+        entries = value if several and isinstance(value, Sequence) else ()
+        if any(isinstance(entry, SampledInput) for entry in entries):
+            raise ValueError(
+                f"`specifieds[{key}]` must be numbers, one for each sample, or one SampledInput, "
+                f"which all samples share, got {shown(value)}. For inputs that differ give an "
+                "expression of the time and of constants, and vary these in `constants`; or call "
+                "`simulate` for each sample."
+            )
         if several:
             several = real_array(value, f"`specifieds[{key}]`").ndim > 0
         (varied if several or (is_value and hasattr(value, "dims")) else common)[key] = value

@@ -283,7 +283,7 @@ class Work:
         for k in evenly(len(batch.x), DriftCheck.MOST_STATES).tolist():
             if "jumps" in self.warned or batch.stopped():
                 return
-            motion = batch.passed(k, times)
+            motion = batch.motion_path(k, times)
             if motion is None:
                 continue
             passed, states = motion
@@ -544,7 +544,7 @@ def invalidate_drifted(batch: Batch, results: Results, times: np.ndarray) -> Non
         time_indices = DriftCheck.selected(results.states[:, samples[0]].T, projected)
         at, examined = times[time_indices], samples
         if projected and len(time_indices):
-            examined = examined[_unsure(batch, results, examined, time_indices, at)]
+            examined = examined[_needing_reports(batch, results, examined, time_indices, at)]
         for start in range(0, len(examined), SMALLEST_BLOCK):
             chunk = examined[start : start + SMALLEST_BLOCK]
             states = _states_at(results, chunk, time_indices)
@@ -579,7 +579,7 @@ def _states_at(results: Results, samples: np.ndarray, time_indices: np.ndarray) 
     return results.states[:, samples][:, :, time_indices].transpose(1, 2, 0).copy()
 
 
-def _unsure(
+def _needing_reports(
     batch: Batch, results: Results, samples: np.ndarray, time_indices: np.ndarray, times: np.ndarray
 ) -> np.ndarray:
     """Return which projected samples `DriftCheck.report` must examine.
@@ -588,7 +588,7 @@ def _unsure(
     """
     checks = batch.model.constraint_checks
     assert checks is not None
-    unsure: np.ndarray = results.statistics["nearness"][samples] < DriftCheck.NEAR_SINGULAR
+    needed: np.ndarray = results.statistics["nearness"][samples] < DriftCheck.NEAR_SINGULAR
     if checks.programs["contradictions"] is not None:
         return np.ones(len(samples), dtype=bool)
     if (program := checks.programs["rows"]) is not None and checks.redundant:
@@ -597,10 +597,10 @@ def _unsure(
             chunk = samples[start : start + number]
             states = _states_at(results, chunk, time_indices)
             blocks = _values(batch, checks.programs, "rows", chunk.tolist(), times, states)
-            unsure[start : start + number] |= DriftCheck.exceeds_six_digits(
+            needed[start : start + number] |= DriftCheck.exceeds_six_digits(
                 blocks["rows"], blocks["sizes"]
             )
-    return unsure
+    return needed
 
 
 def _batched_quantities(

@@ -87,7 +87,7 @@ class CythonBackend:
         _require("Cython", "setuptools")
         directory = None
         try:
-            with Interrupts():  # a Ctrl-C within would leave a folder that nobody knows
+            with Interrupts():  # a Ctrl-C here would leave a folder behind
                 name, directory = self._reserve(program.digest)
             (directory / f"{name}_equations.c").write_text(
                 c_source(program, static=True), encoding="ascii"
