@@ -180,3 +180,24 @@ def test_feet_that_chatter_while_they_slide_come_to_rest():
     assert motion.modes[-1][2] == {"foot0": "sticks", "foot1": "sticks"}
     total = motion.energy[:, 2]
     assert abs(total - total[0] - motion.contact_work).max() < 1e-9 * abs(total).max()
+
+
+@pytest.mark.parametrize("hypothesis", ["newton", "poisson"])
+@pytest.mark.parametrize(
+    ("rate", "message"), [(0.2, "became -1.48 at an impact"), (-0.2, "became 2.48 at an impact")]
+)
+def test_a_restitution_that_leaves_its_range_on_the_way_is_named(rate, message, hypothesis):
+    """It depends on the speed of the impact, √(2 g h) = 9.90 m/s from 5 m."""
+    point = O.locatenew("P", x * N.x + y * N.y)
+    definition = Definition(
+        N, [x, y], [vx, vy], bodies=[me.Particle("ball", point, 1)],
+        loads=[(point, -9.81 * N.y)], kinematic_equations=[x.diff() - vx, y.diff() - vy],
+    )  # fmt: skip
+    system = System(definition, ode_solver="dop853", initial_conditions={y: 5.0}, times=[0.0, 1.5])
+    floor = Unilateral(y, restitution=0.5 + rate * vy, name="floor")
+    with pytest.raises(ContactError, match=f"`restitution` of 'floor' {message}"):
+        Contacts(system, [floor], hypothesis=hypothesis).simulate()
+    kept = Unilateral(y, restitution=sm.Max(0, sm.Min(1, 0.5 + 0.02 * vy)), name="floor")
+    speed = Contacts(system, [kept], hypothesis=hypothesis).simulate().events[0].after[3]
+    landing = np.sqrt(2 * 9.81 * 5.0)
+    assert speed == pytest.approx((0.5 - 0.02 * landing) * landing, rel=1e-6)

@@ -121,6 +121,15 @@ def test_a_known_normal_force_that_becomes_negative_is_named(speed):
     assert Contacts(system, [positive]).simulate().times[-1] == 6.0
 
 
+def test_a_coefficient_of_friction_that_becomes_negative_is_named():
+    """Friction that drives the body is none."""
+    system, _ = block(0)
+    system.initial_conditions, system.times = {vx: 4.0}, np.linspace(0.0, 6.0, 13)
+    mu = 0.1 - 0.1 * me.dynamicsymbols._t
+    with pytest.raises(ContactError, match=r"`mu` of 'brake' became -.* must not be negative"):
+        Contacts(system, [Stick(vx, mu=mu, normal=5, name="brake")]).simulate()
+
+
 def test_a_contact_that_does_not_act_costs_no_step_and_no_evaluation():
     system, feet = falling_body([(-1, -0.2), (1, -0.2)], mu=0.3)
     system.constants[J] = 0.4

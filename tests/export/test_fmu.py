@@ -1,6 +1,7 @@
 """FMUs by the rules of FMPy: valid, and moving as the System does."""
 
 import ctypes
+import itertools
 import os
 import re
 import shlex
@@ -593,6 +594,76 @@ def test_bounces_that_accumulate_end_the_motion(bouncing, fmi, kind, floor, rest
     assert result["q"].min() >= floor - 1e-9 * (abs(floor) + 1.0)
     assert told[-1][-2] == b"logStatusWarning"
     assert b"the events bounce accumulate" in told[-1][-1]
+
+
+def sinking():
+    """A ball on a floor that moves at the constant speed `c`, and a bounce."""
+    system, _ = bouncing_ball()
+    (q, u), e, c = system.states, sm.Symbol("e"), sm.Symbol("c")
+    system.constants[c] = 0.0
+    gap = q - c * me.dynamicsymbols._t
+    return system, Event(gap, direction=-1, reset={u: c - e * (u - c)}, name="bounce")
+
+
+@pytest.mark.parametrize("fmi", VERSIONS)
+def test_bounces_on_a_moving_floor_accumulate_and_none_leads_through_it(tmp_path, hasty, fmi):
+    (system, bounce), told = sinking(), []
+    folder = fmpy.extract(str(system.export(tmp_path / "ball.fmu", fmi=fmi, events=bounce).path))
+    for kind, speed, e in itertools.product(KINDS, (-10.0, -3.0, 1.0), (0.3, 0.5)):
+        landing = np.sqrt(0.5**2 + 2 * 9.81)
+        end = (0.5 + landing) / 9.81 + 2 * landing / 9.81 * e / (1 - e)
+        result = fmpy.simulate_fmu(
+            folder, fmi_type=kind, stop_time=end + 1.0, output_interval=0.01, output=["q"],
+            relative_tolerance=1e-9, logger=lambda *words: told.append(words[-1]),
+            start_values={"e": e, "c": speed, "q": 1.0, "u": 0.5 + speed},
+        )  # fmt: skip
+        unseen = np.sqrt(2 * 1e-9 * 30.0 / 9.81) * 2 / (1 - e)
+        assert end - unseen - 0.01 <= result["time"][-1] <= end + 0.01
+        assert b"the events bounce accumulate" in told.pop()
+
+
+@pytest.mark.parametrize("fmi", VERSIONS)
+def test_inputs_that_leap_act_in_co_simulation_as_samples_in_a_simulation(tmp_path, hasty, fmi):
+    """A floor that rises and sinks in steps leaps above a ball, also one that has just bounced."""
+    q, u, floor = me.dynamicsymbols("q u floor")
+    frame, origin = inertial_frame()
+    point = origin.locatenew("P", q * frame.x)
+    system = System(
+        Definition(
+            frame, [q], [u], bodies=[me.Particle("ball", point, 1)],
+            loads=[(point, -9.81 * frame.x)], kinematic_equations=[q.diff() - u],
+        ),
+        initial_conditions={q: 1.0}, ode_solver="dop853",
+    )  # fmt: skip
+    system.outputs, system.specifieds = {"gap": q - floor}, {floor: 0.0}
+    bounce = Event(q - floor, direction=-1, reset={u: 0.2 - u / 2}, name="bounce")
+    folder = fmpy.extract(str(system.export(tmp_path / "ball.fmu", fmi=fmi, events=bounce).path))
+    description = fmpy.read_model_description(folder)
+    names = {v.name: v.valueReference for v in description.modelVariables}
+    system.times, leaps = 0.02 * np.arange(101), 0
+    for height, rate in ((0.1, 8.0), (-0.2, 6.0), (0.3, 20.0)):
+        floors = height * np.sin(rate * system.times)
+        system.specifieds = {floor: SampledInput(system.times, floors, interpolation="previous")}
+        expected = system.simulate(events=bounce, rtol=1e-10, atol=1e-10)
+        leaps += sum(record.time in system.times for record in expected.events)
+        unit = fmpy.instantiate_fmu(folder, description, "CoSimulation")
+        if fmi == "2.0":
+            get, put = unit.getReal, unit.setReal
+            unit.setupExperiment(tolerance=1e-10, startTime=0.0)
+            unit.enterInitializationMode()
+        else:
+            get, put = unit.getFloat64, unit.setFloat64
+            unit.enterInitializationMode(tolerance=1e-10)
+        unit.exitInitializationMode()
+        heights = [1.0]
+        for start, end, level in zip(system.times[:-1], system.times[1:], floors[:-1], strict=True):
+            put([names["floor"]], [level])
+            unit.doStep(start, end - start)
+            heights += get([names["q"]])
+        unit.terminate()
+        unit.freeInstance()
+        assert heights == pytest.approx(expected["q"], abs=1e-7)
+    assert leaps >= 2
 
 
 @pytest.mark.parametrize("kind", KINDS)

@@ -195,6 +195,26 @@ def test_crossings_follow_the_table(tmp_path):
 
 
 @by_node
+def test_bounces_on_a_moving_floor_accumulate_and_none_leads_through_it(tmp_path):
+    """The last rebounds are as low as roundings of the height, in which the signs say nothing."""
+    system, _ = bouncing_ball()
+    (q, u), e, c = system.states, sm.Symbol("e"), sm.Symbol("c")
+    system.constants[c] = 0.0
+    gap = q - c * dynamicsymbols._t
+    bounce = Event(gap, direction=-1, reset={u: c - e * (u - c)}, name="bounce")
+    cases = [(speed, e) for speed in (-10.0, -3.0, -0.3, 1.0, 3.0) for e in (0.3, 0.5, 0.8)]
+    wanted = [
+        {"times": [0.0, 9.0], "initial": {"q": 1.0, "u": 0.5 + c}, "constants": {"c": c, "e": e}}
+        for c, e in cases
+    ]
+    for (_, e), run in zip(cases, simulated(tmp_path, system, bounce, wanted), strict=True):
+        landing = np.sqrt(0.5**2 + 2 * 9.81)
+        end = (0.5 + landing) / 9.81 + 2 * landing / 9.81 * e / (1 - e)
+        assert run["status"] == "stopped"
+        assert run["events"][-1]["time"] == pytest.approx(end, abs=1e-5)
+
+
+@by_node
 @pytest.mark.parametrize("case", projections.CASES, ids=lambda case: case.name)
 def test_projections_follow_the_table(tmp_path, case):
     model = exported_model(projections.started(case)._now(), constraints="project")

@@ -63,6 +63,97 @@ def test_no_bounce_on_a_moving_floor_is_missed(kind, speed, solver):
     close([r.time for r in records[:6]], impacts(1.0, speed, 0.3, 6), 1e-8)
 
 
+@pytest.mark.parametrize("solver", ["dop853", "tsit5", "radau"])
+@pytest.mark.parametrize("e", [0.3, 0.5, 0.8])
+@pytest.mark.parametrize("speed", [-10.0, -3.0, -0.3, 1.0, 3.0])
+def test_bounces_on_a_moving_floor_accumulate_and_none_leads_through_it(speed, e, solver):
+    """The last rebounds are as low as roundings of the height, in which the signs say nothing."""
+    for kind in KINDS:
+        system = ball(kind, speed, (0.05, speed - 1.0), [0.0, 1.5], solver)
+        with pytest.warns(PyDyUserWarning, match="`bounce` follow each other ever faster"):
+            trajectory = system.simulate(events=[bounce(speed, e)], rtol=1e-9, atol=1e-9)
+        landing = np.sqrt(1.0 + 2 * G * 0.05)  # in the frame of the floor
+        end = (landing - 1.0) / G + 2 * landing / G * e / (1 - e)
+        # Up to 16 roundings of 15 m, or those of the differences that give rates of functions.
+        unseen = 2 / G * (1e-5 if kind == "function" else np.sqrt(2 * G * 1e-13)) / (1 - e)
+        assert trajectory.statistics["time"] == pytest.approx(end, abs=unseen)
+        assert all(record.after[1] - speed >= -1e-12 for record in trajectory.events)
+
+
+def bounces_on_a_floor_in_steps(times, floors, lift):
+    """Return the heights of a ball dropped from 1 m, and its bounces, in closed form.
+
+    The floor leaps at the times. The ball bounces where it falls through the floor, and where the
+    floor leaps above it; the reset gives the speed `lift` − v/2.
+    """
+    height, speed, above = 1.0, 0.0, True
+    heights, bounces = [height], []
+    for k in range(len(times) - 1):
+        now, end = times[k], times[k + 1]
+        if k > 0 and above and height < floors[k]:
+            speed = lift - speed / 2
+            bounces.append(now)
+        above = height > floors[k]
+        while True:
+            roots = np.roots([-G / 2, speed, height - floors[k]])
+            crossings = [r.real for r in roots if r.imag == 0.0 and 1e-12 < r.real < end - now]
+            if not crossings:
+                break
+            height, speed, now = floors[k], speed - G * min(crossings), now + min(crossings)
+            if above:
+                speed = lift - speed / 2
+                bounces.append(now)
+            above = speed > 0.0
+        left = end - now
+        height, speed = height + speed * left - G * left**2 / 2, speed - G * left
+        heights.append(height)
+    return np.array(heights), bounces
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_a_ball_on_a_floor_that_leaps_bounces_before_a_leap_and_by_one(seed):
+    """A fall through the floor that a leap undoes at once is a bounce, too."""
+    rng = np.random.default_rng(seed)
+    times = np.append(0.0, rng.uniform(0.01, 0.12, 30).cumsum())
+    floors = rng.uniform(-0.3, 0.3, 31) if seed % 2 else 0.3 * np.sin(rng.uniform(2, 20) * times)
+    heights, bounces = bounces_on_a_floor_in_steps(times, floors, 0.2)
+    system = ball("expression", 0.0, (1.0, 0.0), times)
+    system.specifieds = {floor: SampledInput(times, floors, "previous")}
+    event = Event(y - floor, direction=-1, reset={v: 0.2 - v / 2}, name="bounce")
+    single = system.simulate(events=[event], **TIGHT)
+    many = system.integrate_ensemble(initial_conditions={y: [1.0] * 3}, events=[event], **TIGHT)
+    close([record.time for record in single.events], bounces, 1e-8)
+    close(single["y"], heights, 1e-7)
+    close(many.y.values[1], heights, 1e-7)
+
+
+@pytest.mark.parametrize("stiffness", [0.0, 4.0])
+@pytest.mark.parametrize("speed", [-3.0, 1.0])
+def test_bounces_on_a_body_that_moves_accumulate_too(speed, stiffness):
+    """In an ensemble as in one motion; a spring may brake the body."""
+    p, w = me.dynamicsymbols("p w")
+    e, k = sm.symbols("e k")
+    frame, origin = inertial_frame()
+    points = [origin.locatenew(name, q * frame.y) for name, q in (("P", y), ("Q", p))]
+    bodies = [me.Particle(point.name, point, 1) for point in points]
+    loads = [(points[0], -g * frame.y), (points[1], -k * p * frame.y)]
+    definition = Definition(frame, [y, p], [v, w], bodies=bodies, loads=loads)
+    system = System(
+        definition, {g: G, k: stiffness, e: 0.5}, constants_symbols=[g, k, e],
+        times=[0.0, 0.5, 1.0], ode_solver="dop853",
+        initial_conditions={y: 0.05, v: speed - 1.0, w: speed},
+    )  # fmt: skip
+    falls = Event(y - p, direction=-1, reset={v: w - e * (v - w)}, name="bounce")
+    with pytest.warns(PyDyUserWarning, match="`bounce` follow each other ever faster"):
+        single = system.simulate(events=[falls], **TIGHT)
+    many = system.integrate_ensemble(constants={e: [0.5] * 5}, events=[falls], **TIGHT)
+    np.testing.assert_array_equal(many.end_time, single.statistics["time"])
+    if not stiffness:
+        landing = np.sqrt(1.0 + 2 * G * 0.05)
+        end = (landing - 1.0) / G + 2 * landing / G
+        assert single.statistics["time"] == pytest.approx(end, abs=1e-6)
+
+
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize(
     ("speed", "rate", "happens"),

@@ -248,6 +248,7 @@ def apply_impacts(run: ImpactedRun, state: ContactState, closing: set[int]) -> N
         if normal is not None
         and (i in closing | state.closed or (i in state.separating and p.is_closed(i)))
     }
+    _check_coefficients(run, state, p, closing if run.compiled.hypothesis == "newton" else hit, hit)
     rows.check_directions(hit - run.impacted, run.values(state.t, state.x))
     run.impacted |= hit
     problem = run.complementarity(p, state)
@@ -295,6 +296,24 @@ def apply_impacts(run: ImpactedRun, state: ContactState, closing: set[int]) -> N
             if q.is_still(rows.tangent[i], impact.rates[rows.tangent[i]]):
                 state.at_rest.add(i)
     run.impacts.append((state.t, impulses, work))
+
+
+def _check_coefficients(
+    run: ImpactedRun, state: ContactState, p: RowValues, restituted: set[int], hit: set[int]
+) -> None:
+    """Refuse an impact with coefficients that are expressions and have left their ranges."""
+    ranges = (
+        ("restitution", restituted, p.restitution, 1.0, "be from 0 to 1"),
+        ("mu", hit, p.mu, np.inf, "not be negative"),
+    )
+    for argument, contacts, values, most, range_ in ranges:
+        for i in sorted(contacts):
+            if not -SLACK <= values[i] <= most + SLACK:
+                raise run.fail(
+                    state.t, state.x,
+                    f"The `{argument}` of {run.contacts[i].name!r} became {values[i]:.3g} at an "
+                    f"impact, but must {range_}. Give an expression that keeps within that.",
+                )  # fmt: skip
 
 
 def _find_impact(

@@ -132,18 +132,25 @@ def missed_transitions(
                 broken.append((limit.kind, i))
                 continue
             worst = int(values.argmin())
+            place = float(sample_times[worst]), states[worst]
+            name, value = limit.name, float(table[worst, column])
+            if limit.symbol is symbols.get((i, "power")) and run.numbers(*place).mu[i] < 0.0:
+                name, value = "`mu`", float(run.numbers(*place).mu[i])  # it drives the body
             remedy = (
                 "between two transitions: the solver stepped over one. Limit the step with "
                 "`max_step`."
-                if limit.name != "`normal`"  # a known normal force has no transitions
-                else "during the motion, but must not be negative. Give an expression that is "
-                "never negative, such as Max(0, ...), or a Unilateral as `on`, which opens."
             )
-            raise run.fail(
-                float(sample_times[worst]), states[worst],
-                f"The {limit.name} of {c.name!r} became {table[worst, column]:.3g} "
-                + remedy,
-            )  # fmt: skip
+            if name == "`mu`":
+                remedy = (
+                    "during the motion, but must not be negative. Give an expression that is "
+                    "never negative, such as Max(0, ...)."
+                )
+            elif name == "`normal`":  # a known normal force has no transitions
+                remedy = (
+                    "during the motion, but must not be negative. Give an expression that is "
+                    "never negative, such as Max(0, ...), or a Unilateral as `on`, which opens."
+                )
+            raise run.fail(*place, f"The {name} of {c.name!r} became {value:.3g} {remedy}")
     return broken, table[: count + 1] if whole else None
 
 

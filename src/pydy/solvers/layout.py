@@ -52,7 +52,7 @@ OF_STATE, DIRECTIONS, COUNT = range(3)
 WATCHER, EVENTS, SCAN, REACHER, MOVES, MOVING, ACT, RATER, RESETTER = range(9)
 # Watch.kinds
 # The sum of these; RESETS or STOPS if the event does only this.
-LINEAR, TURNS, RESETS, STOPS, REDIRECTS = 1, 2, 4, 8, 16
+LINEAR, TURNS, RESETS, STOPS, REDIRECTS, DRIVEN = 1, 2, 4, 8, 16, 32
 # Events are evaluated at these fractions of a step. Their ratios are irrational, so that no
 # oscillation looks slow at all of them.
 SCAN_POINTS = (0.0, 0.2360679774997897, 0.4494897427831781, 0.7320508075688772, 1.0)
@@ -189,7 +189,7 @@ class Watch(NamedTuple):
     directions: Words  # −1, 1, or 0 for both
     acting: Words  # whether the integration stops there
     # LINEAR in states and time; TURNS: at a minimum of the previous event; RESETS without stopping;
-    # REDIRECTS: a reset changes the event's own rate
+    # REDIRECTS: a reset changes the event's own rate; DRIVEN: inputs that vary may move its surface
     kinds: Words
     # The inputs r of REACHER: specifieds, which it does not read, a bound on each state, and the
     # time; then a further block.

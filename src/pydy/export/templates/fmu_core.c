@@ -27,7 +27,7 @@ enum {
 
 typedef struct {
     double t, x[NX + 1], u[NU + 1], p[NP + 1], prepared[NPREPARED];
-    double rates[NX + 1], outputs[NY + 1], z[NE + 1], dz[NE + 1];
+    double rates[NX + 1], outputs[NY + 1], z[NE + 1], dz[2 * NE + 1]; /* bounds follow the rates of events */
     int prepared_fresh, switches_fresh, rates_fresh, outputs_fresh, running, starting;
     int64_t sides[NE + 1], fired[NE + 1], off[NE + 1], seen[NE + 1], led[NE + 1];
     double last_u[NU + 1], last_p[NP + 1]; /* after the last event or step of the importer */
@@ -341,13 +341,12 @@ static int is_stationary(Model *m, int k)
     return fabs(rate) <= total;
 }
 
-/* Return the sign that an event has just after now, as `departure` of pydy/solvers/run/departure.py. */
-static int departure(Model *m, int k)
+/* Return the sign of an event where it first exceeds its roundings, as `resolved_side` of
+   pydy/solvers/run/departure.py. */
+static int resolved_side(Model *m, int k)
 {
     double a[NX + 1], b[NX + 1], c[NX + 1], d[NX + 1], x[NX + 1], z[NE], size = STOP_TIME - START_TIME;
     int side = 0;
-    if (!is_stationary(m, k))
-        return sign_of(event_rate(m, m->x, k));
     for (int halved = 0; halved < HALVINGS; halved++) {
         const double middle = m->t + 0.25 * size;
         size *= 0.5;
@@ -369,6 +368,23 @@ static int departure(Model *m, int k)
             side = sign_of(z[k]);
     }
     return side;
+}
+
+/* Return the sign that an event has just after now, as `departure` there. */
+static int departure(Model *m, int k)
+{
+    return is_stationary(m, k) ? resolved_side(m, k) : sign_of(event_rate(m, m->x, k));
+}
+
+/* Tell whether the rate of an event that has happened does not tell where its reset leads, as
+   `is_unresolved` of pydy/solvers/run/departure.py. */
+static int is_unresolved(Model *m, int k)
+{
+    if (is_stationary(m, k))
+        return 1;
+    const double speed = fabs(event_rate(m, m->x, k)), flight = m->t - m->latest[k * CROWD + 1];
+    MODEL(event_bounds)(m->t, m->x, m->u, m->prepared, m->dz);
+    return speed * flight <= LOW * ROUNDINGS * ROUNDING * m->dz[k] && resolved_side(m, k) * m->sides[k] < 0;
 }
 
 /* Note the time of an event. Tell whether so many have happened so close together that they accumulate, as
@@ -419,8 +435,8 @@ static int64_t act(Model *m)
         if (origins[k] != 0 && !fired[k] && isnan(m->z[k]))
             return ends_with(m, EVENT_UNDEFINED, k);
     for (int k = 0; k < NE; k++)
-        if (rests[k] && is_stationary(m, k)) {
-            m->sides[k] = departure(m, k);
+        if (rests[k] && is_unresolved(m, k)) {
+            m->sides[k] = resolved_side(m, k);
             if (follows_itself(m->sides[k], origins[k], EVENT_DIRECTIONS[k]))
                 crowded = k;
         }

@@ -21,7 +21,7 @@ static int32_t call_events(const double *t, const double *x, const double *u, co
 static int32_t call_event_rates(const double *t, const double *x, const double *u, const double *c, double *out)
 {
 #if NE > 0
-    return MODEL(event_rates)(*t, x, u, c, out);
+    return MODEL(event_rates)(*t, x, u, c, out) || MODEL(event_bounds)(*t, x, u, c, out + NE);
 #else
     return (void)t, (void)x, (void)u, (void)c, (void)out, 0;
 #endif
@@ -46,6 +46,27 @@ static int64_t switch_rows(Model *m, double goal, double *rows)
         }
     }
     return m->switch_count;
+}
+
+/* Let the events happen that inputs or constants have led across their surfaces since the last step, as a jump
+   of a sampled input does: FINISHED, or the outcome with which that ends the motion. Their surfaces are left
+   behind: values tell the sides, not rates. */
+static int64_t act_on_leaps(Model *m)
+{
+    int64_t leapt[NE + 1], outcome = FINISHED;
+    int some = 0;
+    evaluate_events(m);
+    for (int k = 0; k < NE; k++) {
+        leapt[k] = m->led[k], m->led[k] = 0;
+        m->fired[k] = leapt[k] && crossed(m->sides[k], m->z[k], EVENT_DIRECTIONS[k]);
+        some = some || m->fired[k];
+    }
+    if (some)
+        outcome = act(m);
+    for (int k = 0; k < NE; k++)
+        if (leapt[k] && m->z[k] != 0.0)
+            m->sides[k] = sign_of(m->z[k]);
+    return outcome;
 }
 
 /* Integrate up to the time `goal`: FINISHED, or the outcome with which the motion ends or fails before. */
@@ -83,12 +104,12 @@ static int64_t integrate(Model *m, double goal)
         tolerance[i] = m->rtol;
     problem[SWITCHED] = run.problem.jumps.size > 0;
     m->probes[PROBES * NE] = UNKNOWN;
-    if (m->starting) {
-        int moved = 0;
-        const int64_t outcome = start_events(m, &moved);
-        if (outcome != FINISHED)
-            return outcome;
-    }
+    int moved = 0;
+    if (m->starting)
+        remember_inputs(m);
+    const int64_t outcome = m->starting ? start_events(m, &moved) : act_on_leaps(m);
+    if (outcome != FINISHED)
+        return outcome;
     while (m->t < goal) {
         m->state[TIME] = m->t, m->state[LARGEST] = goal - m->t;
         m->counts[STEPS] = m->counts[REJECTED] = m->counts[NEXT] = 0;

@@ -327,8 +327,12 @@ class Integration {
 
   /** The sign that an event has just after now, as `departure` of pydy/solvers/run/departure.py. */
   departure(k) {
+    return this.isStationary(k) ? this.resolvedSide(k) : Math.sign(this.rateOf(k, this.x)) || 0;
+  }
+
+  /** The sign of an event where it first exceeds its roundings, as `resolved_side` there. */
+  resolvedSide(k) {
     const { x, t, n, times, system } = this, { events } = system;
-    if (!this.isStationary(k)) return Math.sign(this.rateOf(k, x)) || 0;
     const vector = () => new Float64Array(n), values = new Float64Array(this.fired.length), bounds = values.slice();
     const slopes = [vector(), vector(), vector(), vector()], after = vector();
     let side = 0, size = times[times.length - 1] - times[0];
@@ -346,6 +350,15 @@ class Integration {
       if (Math.abs(values[k]) > ROUNDINGS * ROUNDING * bounds[k]) side = Math.sign(values[k]);
     }
     return side;
+  }
+
+  /** Whether the rate of an event does not tell where a reset leads, as `is_unresolved` of pydy/solvers/run/departure.py. */
+  isUnresolved(k) {
+    if (this.isStationary(k)) return true;
+    const bounds = new Float64Array(this.fired.length), last = this.records.filter((one) => one.index === k).slice(-2, -1);
+    this.system.events.bounds(this.t, this.x, bounds);
+    if (!last.length || !(Math.abs(this.rateOf(k, this.x)) * (this.t - last[0].time) <= LOW * ROUNDINGS * ROUNDING * bounds[k])) return false;
+    return this.resolvedSide(k) * this.sides[k] < 0;
   }
 
   /** Record the events on whose surfaces the motion starts, and let them act. */
@@ -404,30 +417,39 @@ class Integration {
     }
   }
 
+  /** Whether an event moves away from zero, to its side, by its rate at t + θ h. */
+  movesOff(t, h, theta, k) {
+    const rates = new Float64Array(this.fired.length);
+    this.interpolate(theta, this.trial);
+    this.system.events.rates(t + theta * h, this.trial, rates);
+    return rates[k] * this.sides[k] > 0;
+  }
+
+  /** Whether a crossing is one of roundings, as `is_rounded` of scan_events.c. */
+  isRounded(t, h, theta, value, k) {
+    if (!this.movesOff(t, h, theta, k)) return false;
+    const bounds = new Float64Array(this.fired.length);
+    this.system.events.bounds(t + theta * h, this.trial, bounds);
+    return value === 0 || Math.abs(value) <= ROUNDINGS * ROUNDING * bounds[k];
+  }
+
   /** Return where an event happens that has not come to its side, as `turning_place` of scan_events.c. */
   turningPlace(t, h, low, high, k) {
-    const rates = new Float64Array(this.fired.length);
-    const movesOff = (place) => {
-      this.interpolate(place, this.trial);
-      this.system.events.rates(t + place * h, this.trial, rates);
-      return rates[k] * this.sides[k] > 0;
-    };
     let turned = NOWHERE;
     for (let place = high; ; place = low + 0.5 * (place - low)) {
-      const off = movesOff(place);
+      const off = this.movesOff(t, h, place, k);
       if (!off) turned = place;
-      if (0.5 * (place - low) < this.resolution(t, h)) return off || movesOff(low) ? turned : low;
+      if (0.5 * (place - low) < this.resolution(t, h)) return off || this.movesOff(t, h, low, k) ? turned : low;
     }
   }
 
-  /** Whether an event with a value at `high` has not come to its side since `low`, but moves there. */
+  /** Whether an event with a value at `high` is not on its side, but moves there from where rounding has left it. */
   departs(t, h, low, high, value, k) {
-    return value * this.sides[k] < 0 && this.comesToSide(t, h, low, high, k) === null
-      && this.turningPlace(t, h, low, high, k) === NOWHERE;
+    return value * this.sides[k] < 0 && this.locate(t, h, low, high, k) === NOWHERE;
   }
 
   locate(t, h, low, high, k) {
-    const side = this.sides[k], out = this.probe, resolution = this.resolution(t, h);
+    const side = this.sides[k], out = this.probe, resolution = this.resolution(t, h), last = high;
     const places = this.comesToSide(t, h, low, high, k);
     if (places === null) return this.turningPlace(t, h, low, high, k);
     [low, high] = places;
@@ -437,7 +459,8 @@ class Integration {
       this.probed(t, h, middle, out);
       if (out[k] * side > 0) low = middle; else high = middle;
     }
-    return high;
+    this.probed(t, h, high, out);
+    return this.isRounded(t, h, high, out[k], k) ? this.turningPlace(t, h, high, last, k) : high;
   }
 
   /**
@@ -563,9 +586,9 @@ class Integration {
       for (let k = 0; k < fired.length; k++)
         if (origins[k] && !acted[k] && Number.isNaN(this.values[k])) return this.fail(`the event ${events.names[k]} is NaN`);
       if (crowded) this.status = "stopped";
-      for (let k = 0; k < fired.length; k++) if (fired[k] > 0 && events.redirects[k] && this.isStationary(k)) {
-        // At rest on the surface it happens again at once where its direction points to.
-        const side = this.sides[k] = this.departure(k), direction = events.directions[k];
+      for (let k = 0; k < fired.length; k++) if (fired[k] > 0 && events.redirects[k] && this.isUnresolved(k)) {
+        // At rest on the surface, as far as roundings tell, it happens again at once where its direction points to.
+        const side = this.sides[k] = this.resolvedSide(k), direction = events.directions[k];
         if (side && (direction === side || (direction === 0 && origins[k] === 0))) this.status = "stopped";
       }
     }

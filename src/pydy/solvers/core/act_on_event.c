@@ -56,6 +56,10 @@ int64_t act_on_event(const Run *run)
     /* a reset that does not turn the motion back may leave it at rest on the surface */
     if (!left && w->directions.at[event] != 0 && w->kinds.at[event] & REDIRECTS && !(rates[event] * (double)w->sides.at[event] > 0.0))
         return LEFT;
+    /* a rebound as low as roundings: there, a crossing does not tell when it ends */
+    const double flight = t - w->latest.at[event * CROWD], lowest = LOW * ROUNDINGS * ROUNDING * bounds[event];
+    if (!left && w->kinds.at[event] & REDIRECTS && absolute(rates[event]) * flight <= lowest)
+        return LEFT;
     for (int64_t k = 0; k < number; k++) {
         const int stays = values[k] == was[k] || is_on_surface(values[k], bounds[k]);
         const int by_rate = values[k] == 0.0 || (k == event && !left) || (w->fired.at[k] < 0 && stays);

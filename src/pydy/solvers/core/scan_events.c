@@ -81,10 +81,21 @@ APART double turning_place(const Run *run, const Stepper *s, double t, double h,
     }
 }
 
+/* Tell whether a crossing at t + theta h is one of roundings: the value there is zero as far as they tell,
+   and the event moves to its side. What moves a driven event is not known here. */
+INLINE int is_rounded(const Run *run, const Stepper *s, double t, double h, double theta, double value,
+    int64_t event)
+{
+    const Watch *w = &run->watch;
+    return !(w->kinds.at[event] & DRIVEN) && moves_off(run, s, t, h, theta, event)
+        && is_on_surface(value, w->told.at[w->words.at[EVENTS] + event]);
+}
+
 INLINE double resolution_of(double t, double h) { return ROUNDING * maximum(absolute(t + h), absolute(t)) / h; }
 
 /* Return the theta just past the crossing of one event between `low` and `high`, or where it is NaN
-   first, by bisection; or that of `turning_place`. */
+   first, by bisection; or that of `turning_place`, beyond crossings of roundings. A reset at one of these
+   would send the motion back through the surface that it has just left. */
 APART double locate(const Run *run, const Stepper *s, double t, double h, double low, double high,
     int64_t event)
 {
@@ -103,17 +114,19 @@ APART double locate(const Run *run, const Stepper *s, double t, double h, double
         else
             high = middle;
     }
+    probe(run, s, t, h, high, LOCATED);
+    if (is_rounded(run, s, t, h, high, *value, event))
+        return turning_place(run, s, t, h, high, last, resolution, event);
     return high;
 }
 
-/* Tell whether an event with a value at `high` has not come to its side since `low`, but moves there. */
+/* Tell whether an event with a value at `high` is not on its side, but moves there from where rounding has
+   left it at `low`. */
 APART int departs(const Run *run, const Stepper *s, double t, double h, double low, double high,
     double value, int64_t event)
 {
-    const double resolution = resolution_of(t, h), first = low, last = high;
     return value * (double)run->watch.sides.at[event] < 0.0
-        && !comes_to_side(run, s, t, h, &low, &high, resolution, event)
-        && turning_place(run, s, t, h, first, last, resolution, event) == NOWHERE;
+        && locate(run, s, t, h, low, high, event) == NOWHERE;
 }
 
 /* Stop for a Python function that raised something: the step's events are looked for again. */
@@ -361,15 +374,19 @@ ENTRY int64_t scan_events(const Run *run, double t, double h)
     const int64_t code = resolve(run, s, t, h);
     if (code != 0)
         return code == CALLBACK ? called_back(run, logged) : code;
-    if (run->problem.jumps.size > 0) { /* an event may happen by a jump at the end, which no step resolves */
-        release_inputs(&run->problem);
-        if (probe(run, s, t, h, 1.0, ENDS + PARTS) < 0)
-            return called_back(run, logged);
-    }
     *known = UNKNOWN;
-    for (int part = 1; part <= PARTS; part += left == scan_points[part]) {
-        double right = scan_points[part];
-        const double *values = ends + part * number, dip = find_dip(run, s, t, h, left, part);
+    /* an event may happen by a jump at the end, which no step resolves: a last part without a length */
+    const int parts = run->problem.jumps.size > 0 ? PARTS + 1 : PARTS;
+    for (int part = 1; part <= parts; part += left == scan_points[part < PARTS ? part : PARTS]) {
+        double right = scan_points[part < PARTS ? part : PARTS];
+        const double *values = ends + (part < PARTS ? part : PARTS) * number;
+        if (part > PARTS) {
+            release_inputs(&run->problem);
+            if (probe(run, s, t, h, 1.0, ENDS + PARTS) < 0)
+                return called_back(run, logged);
+            left = maximum(0.0, 1.0 - INSTANT * resolution_of(t, h)); /* just before the jump */
+        }
+        const double dip = part > PARTS ? 2.0 : find_dip(run, s, t, h, left, part);
         if (dip < 0.0)
             return called_back(run, logged);
         if (dip < right) {
@@ -456,7 +473,8 @@ ENTRY int64_t scan_events(const Run *run, double t, double h)
                 sides[k] = -sides[k];
             else if (sides[k] == 0)
                 sides[k] = values[k] > 0.0 ? 1 : values[k] < 0.0 ? -1 : 0;
-            if (right == scan_points[part] && ends[(part - 1) * number + k] == 0.0 && ends[part * number + k] == 0.0)
+            if (part <= PARTS && right == scan_points[part] && ends[(part - 1) * number + k] == 0.0
+                && ends[part * number + k] == 0.0)
                 note_rest(w, k, t + scan_points[part - 1] * h, t + right * h);
         }
         left = right;

@@ -1,4 +1,4 @@
-; sources 51c7377c8618f8c66e939ebd3b7e1aeededb4f8dfb65071de0080673bf3d3767
+; sources 34b26abdd8c9a47a696e8486a45b879498e7c355927e471acc969c890c9ef4e7
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
@@ -56,7 +56,7 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
 
 48:                                               ; preds = %42
   %49 = icmp sgt i64 %43, -1
-  br i1 %49, label %352, label %50
+  br i1 %49, label %372, label %50
 
 50:                                               ; preds = %48, %42
   %51 = phi i64 [ %43, %42 ], [ %44, %48 ]
@@ -67,7 +67,7 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
 54:                                               ; preds = %50, %1
   %55 = phi i64 [ -1, %1 ], [ %51, %50 ]
   %56 = icmp slt i64 %55, 0
-  br i1 %56, label %352, label %57
+  br i1 %56, label %372, label %57
 
 57:                                               ; preds = %54
   %58 = getelementptr inbounds i8, ptr %0, i64 864
@@ -76,7 +76,7 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
   %61 = load i64, ptr %60, align 8
   %62 = and i64 %61, 4
   %63 = icmp eq i64 %62, 0
-  br i1 %63, label %352, label %64
+  br i1 %63, label %372, label %64
 
 64:                                               ; preds = %57
   %65 = add nsw i64 %25, 1
@@ -85,7 +85,7 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
   %68 = getelementptr inbounds i8, ptr %0, i64 1064
   %69 = load i64, ptr %68, align 8
   %70 = icmp sgt i64 %66, %69
-  br i1 %70, label %352, label %71
+  br i1 %70, label %372, label %71
 
 71:                                               ; preds = %64
   %72 = mul nsw i64 %55, %21
@@ -127,7 +127,7 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
   %97 = load ptr, ptr %96, align 8
   %98 = tail call i32 %97(ptr noundef %91, ptr noundef %27, ptr noundef %93, ptr noundef %95, ptr noundef %30) #4
   %99 = icmp eq i32 %98, 0
-  br i1 %99, label %100, label %352
+  br i1 %99, label %100, label %372
 
 100:                                              ; preds = %86
   %101 = load ptr, ptr %2, align 8
@@ -140,7 +140,7 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
   %108 = load ptr, ptr %107, align 8
   %109 = tail call i32 %108(ptr noundef %103, ptr noundef %27, ptr noundef %104, ptr noundef %106, ptr noundef %33) #4
   %110 = icmp eq i32 %109, 0
-  br i1 %110, label %111, label %352
+  br i1 %110, label %111, label %372
 
 111:                                              ; preds = %100
   %112 = load ptr, ptr %2, align 8
@@ -152,7 +152,7 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
   %118 = load ptr, ptr %117, align 8
   %119 = tail call i32 %118(ptr noundef %114, ptr noundef %73, ptr noundef %115, ptr noundef %116, ptr noundef %34) #4
   %120 = icmp eq i32 %119, 0
-  br i1 %120, label %121, label %352
+  br i1 %120, label %121, label %372
 
 121:                                              ; preds = %111
   %122 = load ptr, ptr %2, align 8
@@ -167,7 +167,7 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
   %131 = load ptr, ptr %130, align 8
   %132 = tail call i32 %131(ptr noundef %125, ptr noundef %73, ptr noundef %126, ptr noundef %128, ptr noundef %129) #4
   %133 = icmp eq i32 %132, 0
-  br i1 %133, label %134, label %352
+  br i1 %133, label %134, label %372
 
 134:                                              ; preds = %121
   %135 = icmp sgt i64 %21, 0
@@ -194,7 +194,7 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
   %148 = load double, ptr %147, align 8
   %149 = tail call double @llvm.fabs.f64(double %148)
   %150 = fcmp ueq double %149, 0x7FF0000000000000
-  br i1 %150, label %352, label %136
+  br i1 %150, label %372, label %136
 
 151:                                              ; preds = %141, %197
   %152 = phi i64 [ 0, %141 ], [ %198, %197 ]
@@ -212,7 +212,7 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
   %160 = getelementptr inbounds double, ptr %34, i64 %152
   %161 = load double, ptr %160, align 8
   %162 = fcmp uno double %161, 0.000000e+00
-  br i1 %162, label %352, label %163
+  br i1 %162, label %372, label %163
 
 163:                                              ; preds = %159, %154
   %164 = load ptr, ptr %143, align 8
@@ -258,7 +258,7 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
 194:                                              ; preds = %185, %187
   %195 = phi i32 [ 1, %185 ], [ %193, %187 ]
   %196 = icmp eq i32 %195, 0
-  br i1 %196, label %197, label %352
+  br i1 %196, label %197, label %372
 
 197:                                              ; preds = %163, %168, %174, %194, %151
   %198 = add nuw nsw i64 %152, 1
@@ -313,171 +313,197 @@ define range(i64 0, 9) i64 @act_on_event(ptr noundef readonly %0) #0 {
   %235 = sitofp i64 %234 to double
   %236 = fmul double %230, %235
   %237 = fcmp ogt double %236, 0.000000e+00
-  br i1 %237, label %238, label %352
+  br i1 %237, label %238, label %372
 
 238:                                              ; preds = %228, %222, %216, %214
-  %239 = icmp sgt i64 %16, 0
-  br i1 %239, label %240, label %243
+  %239 = getelementptr inbounds i8, ptr %0, i64 1248
+  %240 = load ptr, ptr %239, align 8
+  %241 = mul nuw nsw i64 %55, 100
+  %242 = getelementptr inbounds double, ptr %240, i64 %241
+  %243 = load double, ptr %242, align 8
+  %244 = fsub double %31, %243
+  %245 = getelementptr inbounds double, ptr %37, i64 %55
+  %246 = load double, ptr %245, align 8
+  %247 = fmul double %246, 0x3D40000000000000
+  br i1 %215, label %260, label %248
 
-240:                                              ; preds = %238
-  %241 = getelementptr inbounds i8, ptr %0, i64 960
-  %242 = getelementptr inbounds i8, ptr %0, i64 936
-  br label %254
+248:                                              ; preds = %238
+  %249 = load ptr, ptr %58, align 8
+  %250 = getelementptr inbounds i64, ptr %249, i64 %55
+  %251 = load i64, ptr %250, align 8
+  %252 = and i64 %251, 16
+  %253 = icmp eq i64 %252, 0
+  br i1 %253, label %260, label %254
 
-243:                                              ; preds = %283, %238
-  %244 = load ptr, ptr %67, align 8
-  %245 = getelementptr inbounds double, ptr %244, i64 %25
-  store double %31, ptr %245, align 8
-  %246 = getelementptr inbounds i8, ptr %0, i64 1080
-  %247 = load ptr, ptr %246, align 8
-  %248 = getelementptr inbounds i64, ptr %247, i64 %25
-  store i64 %55, ptr %248, align 8
-  %249 = icmp sgt i64 %21, 0
-  br i1 %249, label %250, label %297
+254:                                              ; preds = %248
+  %255 = getelementptr inbounds double, ptr %36, i64 %55
+  %256 = load double, ptr %255, align 8
+  %257 = tail call double @llvm.fabs.f64(double %256)
+  %258 = fmul double %244, %257
+  %259 = fcmp ugt double %258, %247
+  br i1 %259, label %260, label %372
 
-250:                                              ; preds = %243
-  %251 = getelementptr inbounds i8, ptr %0, i64 1104
-  %252 = mul nsw i64 %25, %19
-  %253 = getelementptr inbounds i8, ptr %0, i64 1128
-  br label %304
+260:                                              ; preds = %254, %248, %238
+  %261 = icmp sgt i64 %16, 0
+  br i1 %261, label %262, label %265
 
-254:                                              ; preds = %240, %283
-  %255 = phi i64 [ 0, %240 ], [ %295, %283 ]
-  %256 = getelementptr inbounds double, ptr %34, i64 %255
-  %257 = load double, ptr %256, align 8
-  %258 = getelementptr inbounds double, ptr %33, i64 %255
-  %259 = load double, ptr %258, align 8
-  %260 = fcmp oeq double %257, %259
-  %261 = fcmp oeq double %257, 0.000000e+00
-  %262 = or i1 %261, %260
-  br i1 %262, label %269, label %263
+262:                                              ; preds = %260
+  %263 = getelementptr inbounds i8, ptr %0, i64 960
+  %264 = getelementptr inbounds i8, ptr %0, i64 936
+  br label %276
 
-263:                                              ; preds = %254
-  %264 = getelementptr inbounds double, ptr %37, i64 %255
-  %265 = load double, ptr %264, align 8
-  %266 = tail call double @llvm.fabs.f64(double %257)
-  %267 = fmul double %265, 0x3CE0000000000000
-  %268 = fcmp ole double %266, %267
-  br label %269
+265:                                              ; preds = %305, %260
+  %266 = load ptr, ptr %67, align 8
+  %267 = getelementptr inbounds double, ptr %266, i64 %25
+  store double %31, ptr %267, align 8
+  %268 = getelementptr inbounds i8, ptr %0, i64 1080
+  %269 = load ptr, ptr %268, align 8
+  %270 = getelementptr inbounds i64, ptr %269, i64 %25
+  store i64 %55, ptr %270, align 8
+  %271 = icmp sgt i64 %21, 0
+  br i1 %271, label %272, label %319
 
-269:                                              ; preds = %263, %254
-  %270 = phi i1 [ true, %254 ], [ %268, %263 ]
-  %271 = fcmp une double %257, 0.000000e+00
-  %272 = icmp ne i64 %255, %55
-  %273 = or i1 %215, %272
-  %274 = and i1 %271, %273
-  br i1 %274, label %275, label %281
+272:                                              ; preds = %265
+  %273 = getelementptr inbounds i8, ptr %0, i64 1104
+  %274 = mul nsw i64 %25, %19
+  %275 = getelementptr inbounds i8, ptr %0, i64 1128
+  br label %326
 
-275:                                              ; preds = %269
-  %276 = load ptr, ptr %241, align 8
-  %277 = getelementptr inbounds i64, ptr %276, i64 %255
-  %278 = load i64, ptr %277, align 8
-  %279 = icmp slt i64 %278, 0
-  %280 = select i1 %279, i1 %270, i1 false
-  br i1 %280, label %281, label %283
+276:                                              ; preds = %262, %305
+  %277 = phi i64 [ 0, %262 ], [ %317, %305 ]
+  %278 = getelementptr inbounds double, ptr %34, i64 %277
+  %279 = load double, ptr %278, align 8
+  %280 = getelementptr inbounds double, ptr %33, i64 %277
+  %281 = load double, ptr %280, align 8
+  %282 = fcmp oeq double %279, %281
+  %283 = fcmp oeq double %279, 0.000000e+00
+  %284 = or i1 %283, %282
+  br i1 %284, label %291, label %285
 
-281:                                              ; preds = %269, %275
-  %282 = getelementptr inbounds double, ptr %36, i64 %255
-  br label %283
+285:                                              ; preds = %276
+  %286 = getelementptr inbounds double, ptr %37, i64 %277
+  %287 = load double, ptr %286, align 8
+  %288 = tail call double @llvm.fabs.f64(double %279)
+  %289 = fmul double %287, 0x3CE0000000000000
+  %290 = fcmp ole double %288, %289
+  br label %291
 
-283:                                              ; preds = %275, %281
-  %284 = phi ptr [ %282, %281 ], [ %256, %275 ]
-  %285 = load double, ptr %284, align 8
-  %286 = tail call double @llvm.fabs.f64(double %285)
-  %287 = fcmp ueq double %286, 0x7FF0000000000000
-  %288 = fcmp ogt double %285, 0.000000e+00
-  %289 = fcmp olt double %285, 0.000000e+00
-  %290 = sext i1 %289 to i64
-  %291 = select i1 %288, i64 1, i64 %290
-  %292 = select i1 %287, i64 0, i64 %291
-  %293 = load ptr, ptr %242, align 8
-  %294 = getelementptr inbounds i64, ptr %293, i64 %255
-  store i64 %292, ptr %294, align 8
-  %295 = add nuw nsw i64 %255, 1
-  %296 = icmp eq i64 %295, %16
-  br i1 %296, label %243, label %254, !llvm.loop !8
+291:                                              ; preds = %285, %276
+  %292 = phi i1 [ true, %276 ], [ %290, %285 ]
+  %293 = fcmp une double %279, 0.000000e+00
+  %294 = icmp ne i64 %277, %55
+  %295 = or i1 %215, %294
+  %296 = and i1 %293, %295
+  br i1 %296, label %297, label %303
 
-297:                                              ; preds = %304, %243
-  %298 = load ptr, ptr %22, align 8
-  %299 = getelementptr inbounds i8, ptr %298, i64 80
-  store i64 %65, ptr %299, align 8
-  %300 = load ptr, ptr %0, align 8
-  %301 = getelementptr inbounds i8, ptr %300, i64 8
-  %302 = load i64, ptr %301, align 8
-  %303 = icmp eq i64 %302, 0
-  br i1 %303, label %317, label %323
+297:                                              ; preds = %291
+  %298 = load ptr, ptr %263, align 8
+  %299 = getelementptr inbounds i64, ptr %298, i64 %277
+  %300 = load i64, ptr %299, align 8
+  %301 = icmp slt i64 %300, 0
+  %302 = select i1 %301, i1 %292, i1 false
+  br i1 %302, label %303, label %305
 
-304:                                              ; preds = %250, %304
-  %305 = phi i64 [ 0, %250 ], [ %315, %304 ]
-  %306 = getelementptr inbounds double, ptr %27, i64 %305
+303:                                              ; preds = %291, %297
+  %304 = getelementptr inbounds double, ptr %36, i64 %277
+  br label %305
+
+305:                                              ; preds = %297, %303
+  %306 = phi ptr [ %304, %303 ], [ %278, %297 ]
   %307 = load double, ptr %306, align 8
-  %308 = load ptr, ptr %251, align 8
-  %309 = add nsw i64 %305, %252
-  %310 = getelementptr inbounds double, ptr %308, i64 %309
-  store double %307, ptr %310, align 8
-  %311 = getelementptr inbounds double, ptr %73, i64 %305
-  %312 = load double, ptr %311, align 8
-  store double %312, ptr %306, align 8
-  %313 = load ptr, ptr %253, align 8
-  %314 = getelementptr inbounds double, ptr %313, i64 %309
-  store double %312, ptr %314, align 8
-  %315 = add nuw nsw i64 %305, 1
-  %316 = icmp eq i64 %315, %21
-  br i1 %316, label %297, label %304, !llvm.loop !9
+  %308 = tail call double @llvm.fabs.f64(double %307)
+  %309 = fcmp ueq double %308, 0x7FF0000000000000
+  %310 = fcmp ogt double %307, 0.000000e+00
+  %311 = fcmp olt double %307, 0.000000e+00
+  %312 = sext i1 %311 to i64
+  %313 = select i1 %310, i64 1, i64 %312
+  %314 = select i1 %309, i64 0, i64 %313
+  %315 = load ptr, ptr %264, align 8
+  %316 = getelementptr inbounds i64, ptr %315, i64 %277
+  store i64 %314, ptr %316, align 8
+  %317 = add nuw nsw i64 %277, 1
+  %318 = icmp eq i64 %317, %16
+  br i1 %318, label %265, label %276, !llvm.loop !8
 
-317:                                              ; preds = %297
-  %318 = getelementptr inbounds i8, ptr %0, i64 1272
-  %319 = load ptr, ptr %318, align 8
-  %320 = getelementptr inbounds i8, ptr %319, i64 8
-  %321 = load double, ptr %320, align 8
-  %322 = getelementptr inbounds i8, ptr %28, i64 8
-  store double %321, ptr %322, align 8
-  br label %323
+319:                                              ; preds = %326, %265
+  %320 = load ptr, ptr %22, align 8
+  %321 = getelementptr inbounds i8, ptr %320, i64 80
+  store i64 %65, ptr %321, align 8
+  %322 = load ptr, ptr %0, align 8
+  %323 = getelementptr inbounds i8, ptr %322, i64 8
+  %324 = load i64, ptr %323, align 8
+  %325 = icmp eq i64 %324, 0
+  br i1 %325, label %339, label %345
 
-323:                                              ; preds = %317, %297
-  %324 = getelementptr inbounds i8, ptr %0, i64 1248
-  %325 = load ptr, ptr %324, align 8
-  %326 = mul i64 %55, 800
-  %327 = getelementptr inbounds i8, ptr %325, i64 %326
-  %328 = load double, ptr %327, align 8
-  %329 = fsub double %31, %328
-  %330 = tail call double @llvm.fabs.f64(double %31)
-  %331 = fcmp ogt double %330, %13
-  %332 = select i1 %331, double %330, double %13
-  %333 = fmul double %332, 0x3CF0000000000000
-  %334 = fcmp ugt double %329, %333
-  br i1 %334, label %335, label %342
+326:                                              ; preds = %272, %326
+  %327 = phi i64 [ 0, %272 ], [ %337, %326 ]
+  %328 = getelementptr inbounds double, ptr %27, i64 %327
+  %329 = load double, ptr %328, align 8
+  %330 = load ptr, ptr %273, align 8
+  %331 = add nsw i64 %327, %274
+  %332 = getelementptr inbounds double, ptr %330, i64 %331
+  store double %329, ptr %332, align 8
+  %333 = getelementptr inbounds double, ptr %73, i64 %327
+  %334 = load double, ptr %333, align 8
+  store double %334, ptr %328, align 8
+  %335 = load ptr, ptr %275, align 8
+  %336 = getelementptr inbounds double, ptr %335, i64 %331
+  store double %334, ptr %336, align 8
+  %337 = add nuw nsw i64 %327, 1
+  %338 = icmp eq i64 %337, %21
+  br i1 %338, label %319, label %326, !llvm.loop !9
 
-335:                                              ; preds = %323
-  %336 = getelementptr inbounds i8, ptr %327, i64 784
-  %337 = load double, ptr %336, align 8
-  %338 = fsub double %31, %337
-  %339 = fmul double %13, 1.000000e-09
-  %340 = fcmp olt double %338, %339
-  %341 = select i1 %340, i64 8, i64 1
-  br label %342
-
-342:                                              ; preds = %335, %323
-  %343 = phi i64 [ 8, %323 ], [ %341, %335 ]
+339:                                              ; preds = %319
+  %340 = getelementptr inbounds i8, ptr %0, i64 1272
+  %341 = load ptr, ptr %340, align 8
+  %342 = getelementptr inbounds i8, ptr %341, i64 8
+  %343 = load double, ptr %342, align 8
+  %344 = getelementptr inbounds i8, ptr %28, i64 8
+  store double %343, ptr %344, align 8
   br label %345
 
-344:                                              ; preds = %345
-  store double %31, ptr %327, align 8
-  br label %352
+345:                                              ; preds = %339, %319
+  %346 = load ptr, ptr %239, align 8
+  %347 = getelementptr inbounds double, ptr %346, i64 %241
+  %348 = load double, ptr %347, align 8
+  %349 = fsub double %31, %348
+  %350 = tail call double @llvm.fabs.f64(double %31)
+  %351 = fcmp ogt double %350, %13
+  %352 = select i1 %351, double %350, double %13
+  %353 = fmul double %352, 0x3CF0000000000000
+  %354 = fcmp ugt double %349, %353
+  br i1 %354, label %355, label %362
 
-345:                                              ; preds = %342, %345
-  %346 = phi i64 [ 99, %342 ], [ %350, %345 ]
-  %347 = getelementptr double, ptr %327, i64 %346
-  %348 = getelementptr i8, ptr %347, i64 -8
-  %349 = load double, ptr %348, align 8
-  store double %349, ptr %347, align 8
-  %350 = add nsw i64 %346, -1
-  %351 = icmp ugt i64 %346, 1
-  br i1 %351, label %345, label %344, !llvm.loop !10
+355:                                              ; preds = %345
+  %356 = getelementptr inbounds i8, ptr %347, i64 784
+  %357 = load double, ptr %356, align 8
+  %358 = fsub double %31, %357
+  %359 = fmul double %13, 1.000000e-09
+  %360 = fcmp olt double %358, %359
+  %361 = select i1 %360, i64 8, i64 1
+  br label %362
 
-352:                                              ; preds = %48, %145, %159, %194, %121, %111, %100, %86, %228, %344, %54, %57, %64
-  %353 = phi i64 [ 0, %64 ], [ 0, %57 ], [ 0, %54 ], [ 0, %121 ], [ 0, %111 ], [ 0, %100 ], [ 0, %86 ], [ %343, %344 ], [ 0, %228 ], [ 0, %194 ], [ 0, %159 ], [ 0, %145 ], [ 0, %48 ]
-  ret i64 %353
+362:                                              ; preds = %355, %345
+  %363 = phi i64 [ 8, %345 ], [ %361, %355 ]
+  br label %365
+
+364:                                              ; preds = %365
+  store double %31, ptr %347, align 8
+  br label %372
+
+365:                                              ; preds = %362, %365
+  %366 = phi i64 [ 99, %362 ], [ %370, %365 ]
+  %367 = getelementptr double, ptr %347, i64 %366
+  %368 = getelementptr i8, ptr %367, i64 -8
+  %369 = load double, ptr %368, align 8
+  store double %369, ptr %367, align 8
+  %370 = add nsw i64 %366, -1
+  %371 = icmp ugt i64 %366, 1
+  br i1 %371, label %365, label %364, !llvm.loop !10
+
+372:                                              ; preds = %48, %145, %159, %194, %121, %111, %100, %86, %364, %254, %228, %54, %57, %64
+  %373 = phi i64 [ 0, %64 ], [ 0, %57 ], [ 0, %54 ], [ 0, %121 ], [ 0, %111 ], [ 0, %100 ], [ 0, %86 ], [ 0, %228 ], [ %363, %364 ], [ 0, %254 ], [ 0, %194 ], [ 0, %159 ], [ 0, %145 ], [ 0, %48 ]
+  ret i64 %373
 }
 
 declare double @llvm.fabs.f64(double) #1

@@ -1,4 +1,4 @@
-; sources 1160dee2d1d2e18f272792231905d78969d191553af1b2ac31181a8875d8da9f
+; sources b89ee867539b9f8c9aebab528a8e6c769e10a2fcca72f2ac055a5441cf4b57a7
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }
@@ -131,7 +131,7 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
   %100 = getelementptr inbounds i8, ptr %99, i64 80
   store i64 %23, ptr %100, align 8
   %101 = load ptr, ptr %19, align 8
-  br label %1105
+  br label %1127
 
 102:                                              ; preds = %49, %122
   %103 = phi i64 [ 0, %49 ], [ %123, %122 ]
@@ -140,8 +140,8 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
   br i1 %105, label %108, label %106
 
 106:                                              ; preds = %102, %122, %47
-  %107 = call fastcc i64 @resolve(ptr noundef %0, ptr noundef nonnull %4, double noundef %1, double noundef %2) #8
-  switch i64 %107, label %1109 [
+  %107 = call fastcc i64 @resolve(ptr noundef nonnull %0, ptr noundef nonnull %4, double noundef %1, double noundef %2) #8
+  switch i64 %107, label %1131 [
     i64 0, label %129
     i64 -4, label %125
   ]
@@ -177,1424 +177,1447 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
   %127 = getelementptr inbounds i8, ptr %126, i64 80
   store i64 %23, ptr %127, align 8
   %128 = load ptr, ptr %19, align 8
-  br label %1105
+  br label %1127
 
 129:                                              ; preds = %106
+  store double 0x7FF8000000000000, ptr %30, align 8
   %130 = getelementptr inbounds i8, ptr %0, i64 320
   %131 = load i64, ptr %130, align 8
   %132 = icmp sgt i64 %131, 0
-  br i1 %132, label %133, label %193
-
-133:                                              ; preds = %129
+  %133 = select i1 %132, i32 5, i32 4
   %134 = getelementptr inbounds i8, ptr %0, i64 320
-  %135 = load i64, ptr %134, align 8
-  %136 = icmp sgt i64 %135, 0
-  br i1 %136, label %137, label %140
+  %135 = getelementptr inbounds i8, ptr %0, i64 336
+  %136 = getelementptr inbounds i8, ptr %0, i64 1032
+  %137 = fadd double %1, %2
+  %138 = getelementptr inbounds i8, ptr %0, i64 168
+  %139 = getelementptr inbounds i8, ptr %0, i64 248
+  %140 = getelementptr inbounds i8, ptr %0, i64 168
+  %141 = getelementptr inbounds i8, ptr %0, i64 192
+  %142 = getelementptr inbounds i8, ptr %0, i64 792
+  %143 = tail call double @llvm.fabs.f64(double %137)
+  %144 = tail call double @llvm.fabs.f64(double %1)
+  %145 = fcmp ogt double %143, %144
+  %146 = select i1 %145, double %143, double %144
+  %147 = fmul double %146, 0x3CB0000000000000
+  %148 = fdiv double %147, %2
+  %149 = fmul double %148, 6.400000e+01
+  %150 = fsub double 1.000000e+00, %149
+  %151 = fcmp olt double %150, 0.000000e+00
+  %152 = select i1 %151, double 0.000000e+00, double %150
+  %153 = getelementptr inbounds i8, ptr %0, i64 1032
+  %154 = getelementptr inbounds i8, ptr %0, i64 168
+  %155 = getelementptr inbounds i8, ptr %0, i64 248
+  %156 = getelementptr inbounds i8, ptr %0, i64 168
+  %157 = getelementptr inbounds i8, ptr %0, i64 192
+  %158 = getelementptr inbounds i8, ptr %0, i64 792
+  %159 = icmp sgt i64 %12, 0
+  %160 = getelementptr inbounds i8, ptr %0, i64 1032
+  %161 = getelementptr inbounds i8, ptr %0, i64 168
+  %162 = getelementptr inbounds i8, ptr %0, i64 248
+  %163 = getelementptr inbounds i8, ptr %0, i64 168
+  %164 = getelementptr inbounds i8, ptr %0, i64 192
+  %165 = getelementptr inbounds i8, ptr %0, i64 792
+  %166 = icmp sgt i64 %12, 0
+  %167 = icmp sgt i64 %12, 0
+  %168 = getelementptr inbounds i8, ptr %0, i64 840
+  %169 = getelementptr inbounds i8, ptr %24, i64 48
+  %170 = getelementptr inbounds i8, ptr %0, i64 672
+  %171 = getelementptr inbounds i8, ptr %0, i64 680
+  %172 = fadd double %1, %2
+  %173 = tail call double @llvm.fabs.f64(double %172)
+  %174 = getelementptr inbounds i8, ptr %0, i64 1016
+  %175 = getelementptr inbounds i8, ptr %0, i64 1008
+  %176 = icmp sgt i64 %12, 0
+  %177 = getelementptr inbounds i8, ptr %0, i64 1064
+  %178 = getelementptr inbounds i8, ptr %0, i64 1056
+  %179 = getelementptr inbounds i8, ptr %0, i64 1080
+  %180 = getelementptr inbounds i8, ptr %0, i64 1128
+  %181 = getelementptr inbounds i8, ptr %0, i64 1104
+  %182 = getelementptr inbounds i8, ptr %0, i64 672
+  %183 = getelementptr inbounds i8, ptr %0, i64 680
+  %184 = fadd double %1, %2
+  %185 = tail call double @llvm.fabs.f64(double %184)
+  %186 = getelementptr inbounds i8, ptr %0, i64 1016
+  %187 = getelementptr inbounds i8, ptr %0, i64 1008
+  %188 = getelementptr inbounds i8, ptr %0, i64 1064
+  %189 = getelementptr inbounds i8, ptr %24, i64 48
+  %190 = icmp sgt i64 %12, 0
+  %191 = getelementptr inbounds i8, ptr %24, i64 48
+  %192 = icmp sgt i64 %12, 0
+  %193 = getelementptr inbounds i8, ptr %0, i64 1016
+  %194 = getelementptr inbounds i8, ptr %0, i64 1008
+  br label %195
 
-137:                                              ; preds = %133
-  %138 = getelementptr inbounds i8, ptr %0, i64 336
-  %139 = load ptr, ptr %138, align 8
-  store double 0x7FF0000000000000, ptr %139, align 8
-  br label %140
+195:                                              ; preds = %129, %1106
+  %196 = phi i1 [ false, %129 ], [ %1110, %1106 ]
+  %197 = phi i64 [ -4, %129 ], [ %1104, %1106 ]
+  %198 = phi double [ 0.000000e+00, %129 ], [ %1103, %1106 ]
+  %199 = phi i32 [ 1, %129 ], [ %1109, %1106 ]
+  %200 = tail call i32 @llvm.umin.i32(i32 %199, i32 4)
+  %201 = zext nneg i32 %200 to i64
+  %202 = getelementptr inbounds [5 x double], ptr @scan_points, i64 0, i64 %201
+  %203 = load double, ptr %202, align 8
+  %204 = mul nsw i64 %12, %201
+  %205 = getelementptr inbounds double, ptr %28, i64 %204
+  %206 = icmp ugt i32 %199, 4
+  br i1 %206, label %207, label %257
 
-140:                                              ; preds = %133, %137
-  %141 = getelementptr inbounds i8, ptr %0, i64 1032
-  %142 = load ptr, ptr %141, align 8
-  %143 = getelementptr inbounds i8, ptr %0, i64 456
-  %144 = load ptr, ptr %143, align 8
-  store <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, ptr %144, align 8
-  %145 = load ptr, ptr %8, align 8
-  %146 = getelementptr inbounds i8, ptr %0, i64 552
-  %147 = load ptr, ptr %146, align 8
-  %148 = getelementptr inbounds i8, ptr %0, i64 368
-  %149 = load i64, ptr %148, align 8
-  %150 = load ptr, ptr %0, align 8
-  %151 = getelementptr inbounds i8, ptr %150, i64 24
-  %152 = load i64, ptr %151, align 8
-  %153 = load ptr, ptr %143, align 8
-  %154 = load ptr, ptr %6, align 8
-  %155 = getelementptr inbounds i8, ptr %154, i64 16
-  %156 = load i64, ptr %155, align 8
-  tail call fastcc void @nested(ptr noundef %142, ptr noundef %145, ptr noundef %147, i64 noundef %149, i64 noundef %152, ptr noundef %153, i64 noundef %156) #8
-  %157 = fadd double %1, %2
-  %158 = getelementptr inbounds i8, ptr %0, i64 168
-  %159 = load ptr, ptr %158, align 8
-  store double %157, ptr %159, align 8
-  %160 = load ptr, ptr %6, align 8
-  %161 = getelementptr inbounds i8, ptr %160, i64 40
-  %162 = load i64, ptr %161, align 8
-  %163 = icmp eq i64 %162, 0
-  br i1 %163, label %165, label %164
+207:                                              ; preds = %195
+  %208 = load i64, ptr %134, align 8
+  %209 = icmp sgt i64 %208, 0
+  br i1 %209, label %210, label %212
 
-164:                                              ; preds = %140
+210:                                              ; preds = %207
+  %211 = load ptr, ptr %135, align 8
+  store double 0x7FF0000000000000, ptr %211, align 8
+  br label %212
+
+212:                                              ; preds = %207, %210
+  %213 = load ptr, ptr %136, align 8
+  %214 = load ptr, ptr %7, align 8
+  %215 = getelementptr inbounds i8, ptr %214, i64 96
+  %216 = load ptr, ptr %215, align 8
+  store <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, ptr %216, align 8
+  %217 = load ptr, ptr %214, align 8
+  %218 = getelementptr inbounds i8, ptr %214, i64 192
+  %219 = load ptr, ptr %218, align 8
+  %220 = getelementptr inbounds i8, ptr %214, i64 8
+  %221 = load i64, ptr %220, align 8
+  %222 = load ptr, ptr %4, align 8
+  %223 = load ptr, ptr %222, align 8
+  %224 = getelementptr inbounds i8, ptr %223, i64 24
+  %225 = load i64, ptr %224, align 8
+  %226 = load ptr, ptr %215, align 8
+  %227 = load ptr, ptr %5, align 8
+  %228 = load ptr, ptr %227, align 8
+  %229 = getelementptr inbounds i8, ptr %228, i64 16
+  %230 = load i64, ptr %229, align 8
+  tail call fastcc void @nested(ptr noundef %213, ptr noundef %217, ptr noundef %219, i64 noundef %221, i64 noundef %225, ptr noundef %226, i64 noundef %230) #8
+  %231 = load ptr, ptr %138, align 8
+  store double %137, ptr %231, align 8
+  %232 = load ptr, ptr %6, align 8
+  %233 = getelementptr inbounds i8, ptr %232, i64 40
+  %234 = load i64, ptr %233, align 8
+  %235 = icmp eq i64 %234, 0
+  br i1 %235, label %237, label %236
+
+236:                                              ; preds = %212
   tail call fastcc void @settle(ptr noundef nonnull %6) #8
-  br label %165
+  br label %237
 
-165:                                              ; preds = %164, %140
-  %166 = getelementptr inbounds i8, ptr %0, i64 248
-  %167 = load i64, ptr %166, align 8
-  %168 = icmp sgt i64 %167, 0
-  br i1 %168, label %169, label %170
+237:                                              ; preds = %236, %212
+  %238 = load i64, ptr %139, align 8
+  %239 = icmp sgt i64 %238, 0
+  br i1 %239, label %240, label %241
 
-169:                                              ; preds = %165
+240:                                              ; preds = %237
   tail call fastcc void @sample(ptr noundef nonnull %6) #8
-  br label %170
+  br label %241
 
-170:                                              ; preds = %165, %169
-  %171 = load ptr, ptr %9, align 8
-  %172 = load i64, ptr %171, align 8
-  %173 = getelementptr inbounds i8, ptr %0, i64 168
-  %174 = load ptr, ptr %173, align 8
-  %175 = load ptr, ptr %141, align 8
-  %176 = getelementptr inbounds i8, ptr %0, i64 192
-  %177 = load ptr, ptr %176, align 8
-  %178 = getelementptr inbounds i8, ptr %0, i64 792
-  %179 = load ptr, ptr %178, align 8
-  %180 = load ptr, ptr %25, align 8
-  %181 = getelementptr inbounds i8, ptr %171, i64 8
-  %182 = load i64, ptr %181, align 8
-  %183 = mul i64 %182, 48
-  %184 = getelementptr inbounds i8, ptr %180, i64 %183
-  %185 = inttoptr i64 %172 to ptr
-  %186 = load ptr, ptr %185, align 8
-  %187 = tail call i32 %186(ptr noundef %174, ptr noundef %175, ptr noundef %177, ptr noundef %179, ptr noundef %184) #9
-  %188 = icmp slt i32 %187, 0
-  br i1 %188, label %189, label %193
+241:                                              ; preds = %237, %240
+  %242 = load ptr, ptr %9, align 8
+  %243 = load i64, ptr %242, align 8
+  %244 = load ptr, ptr %140, align 8
+  %245 = load ptr, ptr %136, align 8
+  %246 = load ptr, ptr %141, align 8
+  %247 = load ptr, ptr %142, align 8
+  %248 = load ptr, ptr %25, align 8
+  %249 = getelementptr inbounds i8, ptr %242, i64 8
+  %250 = load i64, ptr %249, align 8
+  %251 = mul i64 %250, 48
+  %252 = getelementptr inbounds i8, ptr %248, i64 %251
+  %253 = inttoptr i64 %243 to ptr
+  %254 = load ptr, ptr %253, align 8
+  %255 = tail call i32 %254(ptr noundef %244, ptr noundef %245, ptr noundef %246, ptr noundef %247, ptr noundef %252) #9
+  %256 = icmp slt i32 %255, 0
+  br i1 %256, label %1095, label %257
 
-189:                                              ; preds = %170
-  %190 = load ptr, ptr %20, align 8
-  %191 = getelementptr inbounds i8, ptr %190, i64 80
-  store i64 %23, ptr %191, align 8
-  %192 = load ptr, ptr %19, align 8
-  br label %1105
+257:                                              ; preds = %241, %195
+  %258 = phi double [ %198, %195 ], [ %152, %241 ]
+  br i1 %206, label %305, label %259
 
-193:                                              ; preds = %170, %129
-  store double 0x7FF8000000000000, ptr %30, align 8
-  %194 = getelementptr inbounds i8, ptr %0, i64 1032
-  %195 = getelementptr inbounds i8, ptr %0, i64 168
-  %196 = getelementptr inbounds i8, ptr %0, i64 248
-  %197 = getelementptr inbounds i8, ptr %0, i64 168
-  %198 = getelementptr inbounds i8, ptr %0, i64 192
-  %199 = getelementptr inbounds i8, ptr %0, i64 792
-  %200 = icmp sgt i64 %12, 0
-  %201 = getelementptr inbounds i8, ptr %0, i64 1032
-  %202 = getelementptr inbounds i8, ptr %0, i64 168
-  %203 = getelementptr inbounds i8, ptr %0, i64 248
-  %204 = getelementptr inbounds i8, ptr %0, i64 168
-  %205 = getelementptr inbounds i8, ptr %0, i64 192
-  %206 = getelementptr inbounds i8, ptr %0, i64 792
-  %207 = icmp sgt i64 %12, 0
-  %208 = icmp sgt i64 %12, 0
-  %209 = getelementptr inbounds i8, ptr %0, i64 840
-  %210 = getelementptr inbounds i8, ptr %24, i64 48
-  %211 = getelementptr inbounds i8, ptr %0, i64 672
-  %212 = getelementptr inbounds i8, ptr %0, i64 680
-  %213 = fadd double %1, %2
-  %214 = tail call double @llvm.fabs.f64(double %213)
-  %215 = getelementptr inbounds i8, ptr %0, i64 1016
-  %216 = getelementptr inbounds i8, ptr %0, i64 1008
-  %217 = icmp sgt i64 %12, 0
-  %218 = getelementptr inbounds i8, ptr %0, i64 1064
-  %219 = getelementptr inbounds i8, ptr %0, i64 1056
-  %220 = getelementptr inbounds i8, ptr %0, i64 1080
-  %221 = getelementptr inbounds i8, ptr %0, i64 1128
-  %222 = getelementptr inbounds i8, ptr %0, i64 1104
-  %223 = getelementptr inbounds i8, ptr %0, i64 672
-  %224 = getelementptr inbounds i8, ptr %0, i64 680
-  %225 = fadd double %1, %2
-  %226 = tail call double @llvm.fabs.f64(double %225)
-  %227 = getelementptr inbounds i8, ptr %0, i64 1016
-  %228 = getelementptr inbounds i8, ptr %0, i64 1008
-  %229 = getelementptr inbounds i8, ptr %0, i64 1064
-  %230 = getelementptr inbounds i8, ptr %24, i64 48
-  %231 = icmp sgt i64 %12, 0
-  %232 = getelementptr inbounds i8, ptr %24, i64 48
-  %233 = icmp sgt i64 %12, 0
-  %234 = getelementptr inbounds i8, ptr %0, i64 1016
-  %235 = getelementptr inbounds i8, ptr %0, i64 1008
-  %236 = load ptr, ptr %7, align 8
-  %237 = getelementptr inbounds i8, ptr %236, i64 96
-  %238 = getelementptr inbounds i8, ptr %236, i64 192
-  %239 = getelementptr inbounds i8, ptr %236, i64 8
-  %240 = load ptr, ptr %4, align 8
-  %241 = load ptr, ptr %5, align 8
-  %242 = load ptr, ptr %7, align 8
-  %243 = getelementptr inbounds i8, ptr %242, i64 96
-  %244 = getelementptr inbounds i8, ptr %242, i64 192
-  %245 = getelementptr inbounds i8, ptr %242, i64 8
-  %246 = load ptr, ptr %4, align 8
-  %247 = load ptr, ptr %5, align 8
-  br label %248
+259:                                              ; preds = %257
+  %260 = load ptr, ptr %9, align 8
+  %261 = getelementptr inbounds i8, ptr %260, i64 8
+  %262 = load i64, ptr %261, align 8
+  %263 = icmp sgt i64 %262, 0
+  br i1 %263, label %264, label %305
 
-248:                                              ; preds = %193, %1084
-  %249 = phi i1 [ false, %193 ], [ %1088, %1084 ]
-  %250 = phi i64 [ -4, %193 ], [ %1082, %1084 ]
-  %251 = phi double [ 0.000000e+00, %193 ], [ %1081, %1084 ]
-  %252 = phi i32 [ 1, %193 ], [ %1087, %1084 ]
-  %253 = zext nneg i32 %252 to i64
-  %254 = getelementptr inbounds [5 x double], ptr @scan_points, i64 0, i64 %253
-  %255 = load double, ptr %254, align 8
-  %256 = mul nsw i64 %12, %253
-  %257 = load ptr, ptr %9, align 8
-  %258 = getelementptr inbounds i8, ptr %257, i64 8
-  %259 = load i64, ptr %258, align 8
-  %260 = icmp sgt i64 %259, 0
-  br i1 %260, label %261, label %302
+264:                                              ; preds = %259
+  %265 = add nsw i32 %199, -1
+  %266 = icmp ugt i32 %199, 1
+  %267 = select i1 %266, i32 %265, i32 1
+  %268 = tail call i32 @llvm.smin.i32(i32 %199, i32 3)
+  %269 = icmp sgt i32 %267, %268
+  %270 = zext nneg i32 %199 to i64
+  %271 = getelementptr inbounds [5 x double], ptr @scan_points, i64 0, i64 %270
+  br label %275
 
-261:                                              ; preds = %248
-  %262 = add nsw i32 %252, -1
-  %263 = icmp ugt i32 %252, 1
-  %264 = select i1 %263, i32 %262, i32 1
-  %265 = tail call i32 @llvm.smin.i32(i32 %252, i32 3)
-  %266 = icmp sgt i32 %264, %265
-  %267 = zext nneg i32 %252 to i64
-  %268 = getelementptr inbounds [5 x double], ptr @scan_points, i64 0, i64 %267
-  br label %272
+272:                                              ; preds = %302
+  %273 = add nuw nsw i64 %277, 1
+  %274 = icmp eq i64 %273, %262
+  br i1 %274, label %305, label %275, !llvm.loop !7
 
-269:                                              ; preds = %299
-  %270 = add nuw nsw i64 %274, 1
-  %271 = icmp eq i64 %270, %259
-  br i1 %271, label %302, label %272, !llvm.loop !7
+275:                                              ; preds = %264, %272
+  %276 = phi double [ 2.000000e+00, %264 ], [ %304, %272 ]
+  %277 = phi i64 [ 0, %264 ], [ %273, %272 ]
+  %278 = load ptr, ptr %15, align 8
+  %279 = getelementptr inbounds i64, ptr %278, i64 %277
+  %280 = load i64, ptr %279, align 8
+  %281 = sitofp i64 %280 to double
+  br i1 %269, label %302, label %286
 
-272:                                              ; preds = %261, %269
-  %273 = phi double [ 2.000000e+00, %261 ], [ %301, %269 ]
-  %274 = phi i64 [ 0, %261 ], [ %270, %269 ]
-  %275 = load ptr, ptr %15, align 8
-  %276 = getelementptr inbounds i64, ptr %275, i64 %274
-  %277 = load i64, ptr %276, align 8
-  %278 = sitofp i64 %277 to double
-  br i1 %266, label %299, label %283
+282:                                              ; preds = %300
+  %283 = add i32 %288, 1
+  %284 = icmp sge i32 %288, %268
+  %285 = icmp eq i32 %288, %268
+  br i1 %285, label %302, label %286, !llvm.loop !8
 
-279:                                              ; preds = %297
-  %280 = add i32 %285, 1
-  %281 = icmp sge i32 %285, %265
-  %282 = icmp eq i32 %285, %265
-  br i1 %282, label %299, label %283, !llvm.loop !8
+286:                                              ; preds = %275, %282
+  %287 = phi i1 [ %284, %282 ], [ %269, %275 ]
+  %288 = phi i32 [ %283, %282 ], [ %267, %275 ]
+  %289 = phi double [ %301, %282 ], [ %276, %275 ]
+  %290 = call fastcc double @least_place(ptr noundef nonnull %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, i64 noundef %277, double noundef %281, i32 noundef %288, i32 noundef %199) #8
+  %291 = fcmp une double %290, -4.000000e+00
+  %292 = fcmp ogt double %290, %258
+  %293 = and i1 %291, %292
+  br i1 %293, label %294, label %300
 
-283:                                              ; preds = %272, %279
-  %284 = phi i1 [ %281, %279 ], [ %266, %272 ]
-  %285 = phi i32 [ %280, %279 ], [ %264, %272 ]
-  %286 = phi double [ %298, %279 ], [ %273, %272 ]
-  %287 = call fastcc double @least_place(ptr noundef %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, i64 noundef %274, double noundef %278, i32 noundef %285, i32 noundef %252) #8
-  %288 = fcmp une double %287, -4.000000e+00
-  %289 = fcmp ogt double %287, %251
-  %290 = and i1 %288, %289
-  br i1 %290, label %291, label %297
+294:                                              ; preds = %286
+  %295 = load double, ptr %271, align 8
+  %296 = fcmp olt double %289, %295
+  %297 = select i1 %296, double %289, double %295
+  %298 = fcmp olt double %290, %297
+  br i1 %298, label %299, label %300
 
-291:                                              ; preds = %283
-  %292 = load double, ptr %268, align 8
-  %293 = fcmp olt double %286, %292
-  %294 = select i1 %293, double %286, double %292
-  %295 = fcmp olt double %287, %294
-  br i1 %295, label %296, label %297
+299:                                              ; preds = %294
+  br label %300
 
-296:                                              ; preds = %291
-  br label %297
+300:                                              ; preds = %299, %294, %286
+  %301 = phi double [ %289, %286 ], [ %290, %299 ], [ %289, %294 ]
+  br i1 %291, label %282, label %302
 
-297:                                              ; preds = %296, %291, %283
-  %298 = phi double [ %286, %283 ], [ %287, %296 ], [ %286, %291 ]
-  br i1 %288, label %279, label %299
+302:                                              ; preds = %282, %300, %275
+  %303 = phi i1 [ %269, %275 ], [ %284, %282 ], [ %287, %300 ]
+  %304 = phi double [ %276, %275 ], [ %301, %300 ], [ %301, %282 ]
+  br i1 %303, label %272, label %305
 
-299:                                              ; preds = %279, %297, %272
-  %300 = phi i1 [ %266, %272 ], [ %281, %279 ], [ %284, %297 ]
-  %301 = phi double [ %273, %272 ], [ %298, %297 ], [ %298, %279 ]
-  br i1 %300, label %269, label %302
-
-302:                                              ; preds = %299, %269, %248
-  %303 = phi double [ 2.000000e+00, %248 ], [ -4.000000e+00, %299 ], [ %301, %269 ]
-  %304 = fcmp olt double %303, 0.000000e+00
-  br i1 %304, label %1074, label %305
-
-305:                                              ; preds = %302
-  %306 = getelementptr double, ptr %28, i64 %256
-  %307 = fcmp olt double %303, %255
-  br i1 %307, label %308, label %348
+305:                                              ; preds = %272, %302, %259, %257
+  %306 = phi double [ 2.000000e+00, %257 ], [ 2.000000e+00, %259 ], [ -4.000000e+00, %302 ], [ %304, %272 ]
+  %307 = fcmp olt double %306, 0.000000e+00
+  br i1 %307, label %1095, label %308
 
 308:                                              ; preds = %305
-  %309 = load ptr, ptr %25, align 8
-  %310 = load ptr, ptr %194, align 8
-  %311 = load ptr, ptr %237, align 8
-  %312 = insertelement <8 x double> poison, double %303, i64 0
-  %313 = shufflevector <8 x double> %312, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %313, ptr %311, align 8
-  %314 = load ptr, ptr %236, align 8
-  %315 = load ptr, ptr %238, align 8
-  %316 = load i64, ptr %239, align 8
-  %317 = load ptr, ptr %240, align 8
-  %318 = getelementptr inbounds i8, ptr %317, i64 24
-  %319 = load i64, ptr %318, align 8
-  %320 = load ptr, ptr %237, align 8
-  %321 = load ptr, ptr %241, align 8
-  %322 = getelementptr inbounds i8, ptr %321, i64 16
-  %323 = load i64, ptr %322, align 8
-  tail call fastcc void @nested(ptr noundef %310, ptr noundef %314, ptr noundef %315, i64 noundef %316, i64 noundef %319, ptr noundef %320, i64 noundef %323) #8
-  %324 = fmul double %303, %2
-  %325 = fadd double %324, %1
-  %326 = load ptr, ptr %195, align 8
-  store double %325, ptr %326, align 8
-  %327 = load ptr, ptr %6, align 8
-  %328 = getelementptr inbounds i8, ptr %327, i64 40
-  %329 = load i64, ptr %328, align 8
-  %330 = icmp eq i64 %329, 0
-  br i1 %330, label %332, label %331
+  %309 = fcmp olt double %306, %203
+  br i1 %309, label %310, label %356
 
-331:                                              ; preds = %308
+310:                                              ; preds = %308
+  %311 = load ptr, ptr %25, align 8
+  %312 = load ptr, ptr %153, align 8
+  %313 = load ptr, ptr %7, align 8
+  %314 = getelementptr inbounds i8, ptr %313, i64 96
+  %315 = load ptr, ptr %314, align 8
+  %316 = insertelement <8 x double> poison, double %306, i64 0
+  %317 = shufflevector <8 x double> %316, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %317, ptr %315, align 8
+  %318 = load ptr, ptr %313, align 8
+  %319 = getelementptr inbounds i8, ptr %313, i64 192
+  %320 = load ptr, ptr %319, align 8
+  %321 = getelementptr inbounds i8, ptr %313, i64 8
+  %322 = load i64, ptr %321, align 8
+  %323 = load ptr, ptr %4, align 8
+  %324 = load ptr, ptr %323, align 8
+  %325 = getelementptr inbounds i8, ptr %324, i64 24
+  %326 = load i64, ptr %325, align 8
+  %327 = load ptr, ptr %314, align 8
+  %328 = load ptr, ptr %5, align 8
+  %329 = load ptr, ptr %328, align 8
+  %330 = getelementptr inbounds i8, ptr %329, i64 16
+  %331 = load i64, ptr %330, align 8
+  tail call fastcc void @nested(ptr noundef %312, ptr noundef %318, ptr noundef %320, i64 noundef %322, i64 noundef %326, ptr noundef %327, i64 noundef %331) #8
+  %332 = fmul double %306, %2
+  %333 = fadd double %332, %1
+  %334 = load ptr, ptr %154, align 8
+  store double %333, ptr %334, align 8
+  %335 = load ptr, ptr %6, align 8
+  %336 = getelementptr inbounds i8, ptr %335, i64 40
+  %337 = load i64, ptr %336, align 8
+  %338 = icmp eq i64 %337, 0
+  br i1 %338, label %340, label %339
+
+339:                                              ; preds = %310
   tail call fastcc void @settle(ptr noundef nonnull %6) #8
-  br label %332
+  br label %340
 
-332:                                              ; preds = %331, %308
-  %333 = load i64, ptr %196, align 8
-  %334 = icmp sgt i64 %333, 0
-  br i1 %334, label %335, label %336
+340:                                              ; preds = %339, %310
+  %341 = load i64, ptr %155, align 8
+  %342 = icmp sgt i64 %341, 0
+  br i1 %342, label %343, label %344
 
-335:                                              ; preds = %332
+343:                                              ; preds = %340
   tail call fastcc void @sample(ptr noundef nonnull %6) #8
-  br label %336
+  br label %344
 
-336:                                              ; preds = %332, %335
-  %337 = load ptr, ptr %9, align 8
-  %338 = load i64, ptr %337, align 8
-  %339 = load ptr, ptr %197, align 8
-  %340 = load ptr, ptr %194, align 8
-  %341 = load ptr, ptr %198, align 8
-  %342 = load ptr, ptr %199, align 8
-  %343 = load ptr, ptr %25, align 8
-  %344 = inttoptr i64 %338 to ptr
-  %345 = load ptr, ptr %344, align 8
-  %346 = tail call i32 %345(ptr noundef %339, ptr noundef %340, ptr noundef %341, ptr noundef %342, ptr noundef %343) #9
-  %347 = icmp slt i32 %346, 0
-  br i1 %347, label %1074, label %348
+344:                                              ; preds = %340, %343
+  %345 = load ptr, ptr %9, align 8
+  %346 = load i64, ptr %345, align 8
+  %347 = load ptr, ptr %156, align 8
+  %348 = load ptr, ptr %153, align 8
+  %349 = load ptr, ptr %157, align 8
+  %350 = load ptr, ptr %158, align 8
+  %351 = load ptr, ptr %25, align 8
+  %352 = inttoptr i64 %346 to ptr
+  %353 = load ptr, ptr %352, align 8
+  %354 = tail call i32 %353(ptr noundef %347, ptr noundef %348, ptr noundef %349, ptr noundef %350, ptr noundef %351) #9
+  %355 = icmp slt i32 %354, 0
+  br i1 %355, label %1095, label %356
 
-348:                                              ; preds = %336, %305
-  %349 = phi double [ %303, %336 ], [ %255, %305 ]
-  %350 = phi ptr [ %309, %336 ], [ %306, %305 ]
-  br label %351
+356:                                              ; preds = %344, %308
+  %357 = phi double [ %306, %344 ], [ %203, %308 ]
+  %358 = phi ptr [ %311, %344 ], [ %205, %308 ]
+  %359 = load ptr, ptr %7, align 8
+  %360 = getelementptr inbounds i8, ptr %359, i64 96
+  %361 = getelementptr inbounds i8, ptr %359, i64 192
+  %362 = getelementptr inbounds i8, ptr %359, i64 8
+  %363 = load ptr, ptr %4, align 8
+  %364 = load ptr, ptr %5, align 8
+  br label %365
 
-351:                                              ; preds = %1002, %348
-  %352 = phi double [ %251, %348 ], [ %1004, %1002 ]
-  %353 = phi i64 [ %250, %348 ], [ %1005, %1002 ]
-  br i1 %200, label %358, label %354
+365:                                              ; preds = %1016, %356
+  %366 = phi double [ %258, %356 ], [ %1018, %1016 ]
+  %367 = phi i64 [ %197, %356 ], [ %1019, %1016 ]
+  br i1 %159, label %372, label %368
 
-354:                                              ; preds = %397, %351
-  %355 = phi double [ 2.000000e+00, %351 ], [ %398, %397 ]
-  %356 = phi i64 [ -1, %351 ], [ %399, %397 ]
-  %357 = fcmp ogt double %355, 1.000000e+00
-  br i1 %357, label %1002, label %402
+368:                                              ; preds = %411, %365
+  %369 = phi double [ 2.000000e+00, %365 ], [ %412, %411 ]
+  %370 = phi i64 [ -1, %365 ], [ %413, %411 ]
+  %371 = fcmp ogt double %369, 1.000000e+00
+  br i1 %371, label %1016, label %416
 
-358:                                              ; preds = %351, %397
-  %359 = phi i64 [ %400, %397 ], [ 0, %351 ]
-  %360 = phi i64 [ %399, %397 ], [ -1, %351 ]
-  %361 = phi double [ %398, %397 ], [ 2.000000e+00, %351 ]
-  %362 = getelementptr inbounds i64, ptr %18, i64 %359
-  store i64 0, ptr %362, align 8
-  %363 = getelementptr inbounds i64, ptr %16, i64 %359
-  %364 = load i64, ptr %363, align 8
-  %365 = getelementptr inbounds double, ptr %350, i64 %359
-  %366 = load double, ptr %365, align 8
-  %367 = getelementptr inbounds i64, ptr %14, i64 %359
-  %368 = load i64, ptr %367, align 8
-  %369 = icmp slt i64 %364, 0
-  %370 = fcmp ogt double %366, 0.000000e+00
-  %371 = and i1 %369, %370
-  %372 = icmp sgt i64 %368, -1
-  %373 = and i1 %371, %372
-  br i1 %373, label %381, label %374
+372:                                              ; preds = %365, %411
+  %373 = phi i64 [ %414, %411 ], [ 0, %365 ]
+  %374 = phi i64 [ %413, %411 ], [ -1, %365 ]
+  %375 = phi double [ %412, %411 ], [ 2.000000e+00, %365 ]
+  %376 = getelementptr inbounds i64, ptr %18, i64 %373
+  store i64 0, ptr %376, align 8
+  %377 = getelementptr inbounds i64, ptr %16, i64 %373
+  %378 = load i64, ptr %377, align 8
+  %379 = getelementptr inbounds double, ptr %358, i64 %373
+  %380 = load double, ptr %379, align 8
+  %381 = getelementptr inbounds i64, ptr %14, i64 %373
+  %382 = load i64, ptr %381, align 8
+  %383 = icmp slt i64 %378, 0
+  %384 = fcmp ogt double %380, 0.000000e+00
+  %385 = and i1 %383, %384
+  %386 = icmp sgt i64 %382, -1
+  %387 = and i1 %385, %386
+  br i1 %387, label %395, label %388
 
-374:                                              ; preds = %358
-  %375 = icmp sgt i64 %364, 0
-  %376 = fcmp olt double %366, 0.000000e+00
-  %377 = and i1 %375, %376
-  br i1 %377, label %378, label %381
+388:                                              ; preds = %372
+  %389 = icmp sgt i64 %378, 0
+  %390 = fcmp olt double %380, 0.000000e+00
+  %391 = and i1 %389, %390
+  br i1 %391, label %392, label %395
 
-378:                                              ; preds = %374
-  %379 = icmp slt i64 %368, 1
-  %380 = zext i1 %379 to i32
-  br label %381
+392:                                              ; preds = %388
+  %393 = icmp slt i64 %382, 1
+  %394 = zext i1 %393 to i32
+  br label %395
 
-381:                                              ; preds = %358, %374, %378
-  %382 = phi i32 [ 1, %358 ], [ 0, %374 ], [ %380, %378 ]
-  %383 = icmp eq i32 %382, 0
-  br i1 %383, label %384, label %388
+395:                                              ; preds = %372, %388, %392
+  %396 = phi i32 [ 1, %372 ], [ 0, %388 ], [ %394, %392 ]
+  %397 = icmp eq i32 %396, 0
+  br i1 %397, label %398, label %402
 
-384:                                              ; preds = %381
-  %385 = icmp eq i64 %364, 0
-  %386 = fcmp ord double %366, 0.000000e+00
-  %387 = or i1 %385, %386
-  br i1 %387, label %397, label %388
+398:                                              ; preds = %395
+  %399 = icmp eq i64 %378, 0
+  %400 = fcmp ord double %380, 0.000000e+00
+  %401 = or i1 %399, %400
+  br i1 %401, label %411, label %402
 
-388:                                              ; preds = %384, %381
-  %389 = call fastcc double @locate(ptr noundef %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, double noundef %352, double noundef %349, i64 noundef %359) #8
-  %390 = fcmp oeq double %389, 2.000000e+00
-  %391 = fcmp ole double %389, %352
-  %392 = zext i1 %391 to i64
-  %393 = select i1 %390, i64 -1, i64 %392
-  store i64 %393, ptr %362, align 8
-  %394 = fcmp olt double %389, %361
-  %395 = select i1 %394, double %389, double %361
-  %396 = select i1 %394, i64 %359, i64 %360
-  br label %397
+402:                                              ; preds = %398, %395
+  %403 = call fastcc double @locate(ptr noundef nonnull %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, double noundef %366, double noundef %357, i64 noundef %373) #8
+  %404 = fcmp oeq double %403, 2.000000e+00
+  %405 = fcmp ole double %403, %366
+  %406 = zext i1 %405 to i64
+  %407 = select i1 %404, i64 -1, i64 %406
+  store i64 %407, ptr %376, align 8
+  %408 = fcmp olt double %403, %375
+  %409 = select i1 %408, double %403, double %375
+  %410 = select i1 %408, i64 %373, i64 %374
+  br label %411
 
-397:                                              ; preds = %384, %388
-  %398 = phi double [ %395, %388 ], [ %361, %384 ]
-  %399 = phi i64 [ %396, %388 ], [ %360, %384 ]
-  %400 = add nuw nsw i64 %359, 1
-  %401 = icmp eq i64 %400, %12
-  br i1 %401, label %354, label %358, !llvm.loop !9
+411:                                              ; preds = %398, %402
+  %412 = phi double [ %409, %402 ], [ %375, %398 ]
+  %413 = phi i64 [ %410, %402 ], [ %374, %398 ]
+  %414 = add nuw nsw i64 %373, 1
+  %415 = icmp eq i64 %414, %12
+  br i1 %415, label %368, label %372, !llvm.loop !9
 
-402:                                              ; preds = %354
-  %403 = load ptr, ptr %201, align 8
-  %404 = load ptr, ptr %243, align 8
-  %405 = insertelement <8 x double> poison, double %355, i64 0
-  %406 = shufflevector <8 x double> %405, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %406, ptr %404, align 8
-  %407 = load ptr, ptr %242, align 8
-  %408 = load ptr, ptr %244, align 8
-  %409 = load i64, ptr %245, align 8
-  %410 = load ptr, ptr %246, align 8
-  %411 = getelementptr inbounds i8, ptr %410, i64 24
-  %412 = load i64, ptr %411, align 8
-  %413 = load ptr, ptr %243, align 8
-  %414 = load ptr, ptr %247, align 8
-  %415 = getelementptr inbounds i8, ptr %414, i64 16
-  %416 = load i64, ptr %415, align 8
-  tail call fastcc void @nested(ptr noundef %403, ptr noundef %407, ptr noundef %408, i64 noundef %409, i64 noundef %412, ptr noundef %413, i64 noundef %416) #8
-  %417 = fmul double %355, %2
-  %418 = fadd double %417, %1
-  %419 = load ptr, ptr %202, align 8
-  store double %418, ptr %419, align 8
-  %420 = load ptr, ptr %6, align 8
-  %421 = getelementptr inbounds i8, ptr %420, i64 40
-  %422 = load i64, ptr %421, align 8
-  %423 = icmp eq i64 %422, 0
-  br i1 %423, label %425, label %424
+416:                                              ; preds = %368
+  %417 = load ptr, ptr %160, align 8
+  %418 = load ptr, ptr %360, align 8
+  %419 = insertelement <8 x double> poison, double %369, i64 0
+  %420 = shufflevector <8 x double> %419, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %420, ptr %418, align 8
+  %421 = load ptr, ptr %359, align 8
+  %422 = load ptr, ptr %361, align 8
+  %423 = load i64, ptr %362, align 8
+  %424 = load ptr, ptr %363, align 8
+  %425 = getelementptr inbounds i8, ptr %424, i64 24
+  %426 = load i64, ptr %425, align 8
+  %427 = load ptr, ptr %360, align 8
+  %428 = load ptr, ptr %364, align 8
+  %429 = getelementptr inbounds i8, ptr %428, i64 16
+  %430 = load i64, ptr %429, align 8
+  tail call fastcc void @nested(ptr noundef %417, ptr noundef %421, ptr noundef %422, i64 noundef %423, i64 noundef %426, ptr noundef %427, i64 noundef %430) #8
+  %431 = fmul double %369, %2
+  %432 = fadd double %431, %1
+  %433 = load ptr, ptr %161, align 8
+  store double %432, ptr %433, align 8
+  %434 = load ptr, ptr %6, align 8
+  %435 = getelementptr inbounds i8, ptr %434, i64 40
+  %436 = load i64, ptr %435, align 8
+  %437 = icmp eq i64 %436, 0
+  br i1 %437, label %439, label %438
 
-424:                                              ; preds = %402
+438:                                              ; preds = %416
   tail call fastcc void @settle(ptr noundef nonnull %6) #8
-  br label %425
+  br label %439
 
-425:                                              ; preds = %424, %402
-  %426 = load i64, ptr %203, align 8
-  %427 = icmp sgt i64 %426, 0
-  br i1 %427, label %428, label %429
+439:                                              ; preds = %438, %416
+  %440 = load i64, ptr %162, align 8
+  %441 = icmp sgt i64 %440, 0
+  br i1 %441, label %442, label %443
 
-428:                                              ; preds = %425
+442:                                              ; preds = %439
   tail call fastcc void @sample(ptr noundef nonnull %6) #8
-  br label %429
-
-429:                                              ; preds = %425, %428
-  %430 = load ptr, ptr %9, align 8
-  %431 = load i64, ptr %430, align 8
-  %432 = load ptr, ptr %204, align 8
-  %433 = load ptr, ptr %201, align 8
-  %434 = load ptr, ptr %205, align 8
-  %435 = load ptr, ptr %206, align 8
-  %436 = load ptr, ptr %25, align 8
-  %437 = getelementptr inbounds i8, ptr %430, i64 8
-  %438 = load i64, ptr %437, align 8
-  %439 = getelementptr inbounds double, ptr %436, i64 %438
-  %440 = inttoptr i64 %431 to ptr
-  %441 = load ptr, ptr %440, align 8
-  %442 = tail call i32 %441(ptr noundef %432, ptr noundef %433, ptr noundef %434, ptr noundef %435, ptr noundef %439) #9
-  %443 = icmp slt i32 %442, 0
-  br i1 %443, label %445, label %444
-
-444:                                              ; preds = %429
-  br i1 %207, label %450, label %565
-
-445:                                              ; preds = %429
-  %446 = load ptr, ptr %20, align 8
-  %447 = getelementptr inbounds i8, ptr %446, i64 80
-  store i64 %23, ptr %447, align 8
-  %448 = load ptr, ptr %19, align 8
-  %449 = getelementptr inbounds i8, ptr %448, i64 48
-  store double 1.000000e+00, ptr %449, align 8
-  br label %1002
-
-450:                                              ; preds = %444, %560
-  %451 = phi i1 [ %563, %560 ], [ %207, %444 ]
-  %452 = phi i64 [ %562, %560 ], [ 0, %444 ]
-  %453 = phi double [ %561, %560 ], [ %355, %444 ]
-  %454 = icmp eq i64 %452, %356
-  br i1 %454, label %560, label %455
-
-455:                                              ; preds = %450
-  %456 = getelementptr inbounds i64, ptr %18, i64 %452
-  %457 = load i64, ptr %456, align 8
-  %458 = icmp eq i64 %457, 0
-  br i1 %458, label %459, label %560
-
-459:                                              ; preds = %455
-  %460 = getelementptr inbounds i64, ptr %16, i64 %452
-  %461 = load i64, ptr %460, align 8
-  %462 = sitofp i64 %461 to double
-  %463 = getelementptr inbounds double, ptr %31, i64 %452
-  %464 = load double, ptr %463, align 8
-  %465 = fmul double %464, %462
-  %466 = fcmp olt double %465, 0.000000e+00
-  br i1 %466, label %467, label %560
-
-467:                                              ; preds = %459
-  %468 = call fastcc i32 @departs(ptr noundef %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, double noundef %352, double noundef %453, double noundef %464, i64 noundef %452) #8
-  %469 = icmp eq i32 %468, 0
-  br i1 %469, label %470, label %509
-
-470:                                              ; preds = %467
-  %471 = load i64, ptr %460, align 8
-  %472 = load double, ptr %463, align 8
-  %473 = getelementptr inbounds i64, ptr %14, i64 %452
-  %474 = load i64, ptr %473, align 8
-  %475 = icmp slt i64 %471, 0
-  %476 = fcmp ogt double %472, 0.000000e+00
-  %477 = and i1 %475, %476
-  %478 = icmp sgt i64 %474, -1
-  %479 = and i1 %477, %478
-  br i1 %479, label %487, label %480
-
-480:                                              ; preds = %470
-  %481 = icmp sgt i64 %471, 0
-  %482 = fcmp olt double %472, 0.000000e+00
-  %483 = and i1 %481, %482
-  br i1 %483, label %484, label %487
-
-484:                                              ; preds = %480
-  %485 = icmp slt i64 %474, 1
-  %486 = zext i1 %485 to i32
-  br label %487
-
-487:                                              ; preds = %470, %480, %484
-  %488 = phi i32 [ 1, %470 ], [ 0, %480 ], [ %486, %484 ]
-  %489 = icmp eq i32 %488, 0
-  br i1 %489, label %512, label %490
-
-490:                                              ; preds = %487
-  %491 = getelementptr inbounds double, ptr %350, i64 %452
-  %492 = load double, ptr %491, align 8
-  %493 = fcmp ogt double %492, 0.000000e+00
-  %494 = and i1 %475, %493
-  %495 = and i1 %478, %494
-  br i1 %495, label %503, label %496
-
-496:                                              ; preds = %490
-  %497 = icmp sgt i64 %471, 0
-  %498 = fcmp olt double %492, 0.000000e+00
-  %499 = and i1 %497, %498
-  br i1 %499, label %500, label %503
-
-500:                                              ; preds = %496
-  %501 = icmp slt i64 %474, 1
-  %502 = zext i1 %501 to i32
-  br label %503
-
-503:                                              ; preds = %490, %496, %500
-  %504 = phi i32 [ 1, %490 ], [ 0, %496 ], [ %502, %500 ]
-  %505 = icmp eq i32 %504, 0
-  br i1 %505, label %506, label %512
-
-506:                                              ; preds = %503
-  %507 = call fastcc double @locate(ptr noundef %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, double noundef %352, double noundef %453, i64 noundef %452) #8
-  %508 = fcmp ogt double %507, %352
-  br i1 %508, label %509, label %512
-
-509:                                              ; preds = %506, %467
-  %510 = phi i64 [ -1, %467 ], [ 2, %506 ]
-  %511 = phi double [ %453, %467 ], [ %507, %506 ]
-  store i64 %510, ptr %456, align 8
-  br label %512
-
-512:                                              ; preds = %509, %506, %487, %503
-  %513 = phi double [ %453, %503 ], [ %453, %487 ], [ %453, %506 ], [ %511, %509 ]
-  %514 = load ptr, ptr %201, align 8
-  %515 = load ptr, ptr %243, align 8
-  %516 = insertelement <8 x double> poison, double %513, i64 0
-  %517 = shufflevector <8 x double> %516, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %517, ptr %515, align 8
-  %518 = load ptr, ptr %242, align 8
-  %519 = load ptr, ptr %244, align 8
-  %520 = load i64, ptr %245, align 8
-  %521 = load ptr, ptr %246, align 8
-  %522 = getelementptr inbounds i8, ptr %521, i64 24
-  %523 = load i64, ptr %522, align 8
-  %524 = load ptr, ptr %243, align 8
-  %525 = load ptr, ptr %247, align 8
-  %526 = getelementptr inbounds i8, ptr %525, i64 16
-  %527 = load i64, ptr %526, align 8
-  tail call fastcc void @nested(ptr noundef %514, ptr noundef %518, ptr noundef %519, i64 noundef %520, i64 noundef %523, ptr noundef %524, i64 noundef %527) #8
-  %528 = fmul double %513, %2
-  %529 = fadd double %528, %1
-  %530 = load ptr, ptr %202, align 8
-  store double %529, ptr %530, align 8
-  %531 = load ptr, ptr %6, align 8
-  %532 = getelementptr inbounds i8, ptr %531, i64 40
-  %533 = load i64, ptr %532, align 8
-  %534 = icmp eq i64 %533, 0
-  br i1 %534, label %536, label %535
-
-535:                                              ; preds = %512
-  tail call fastcc void @settle(ptr noundef nonnull %6) #8
-  br label %536
-
-536:                                              ; preds = %535, %512
-  %537 = load i64, ptr %203, align 8
-  %538 = icmp sgt i64 %537, 0
-  br i1 %538, label %539, label %540
-
-539:                                              ; preds = %536
-  tail call fastcc void @sample(ptr noundef nonnull %6) #8
-  br label %540
-
-540:                                              ; preds = %536, %539
-  %541 = load ptr, ptr %9, align 8
-  %542 = load i64, ptr %541, align 8
-  %543 = load ptr, ptr %204, align 8
-  %544 = load ptr, ptr %201, align 8
-  %545 = load ptr, ptr %205, align 8
-  %546 = load ptr, ptr %206, align 8
-  %547 = load ptr, ptr %25, align 8
-  %548 = getelementptr inbounds i8, ptr %541, i64 8
-  %549 = load i64, ptr %548, align 8
-  %550 = getelementptr inbounds double, ptr %547, i64 %549
-  %551 = inttoptr i64 %542 to ptr
-  %552 = load ptr, ptr %551, align 8
-  %553 = tail call i32 %552(ptr noundef %543, ptr noundef %544, ptr noundef %545, ptr noundef %546, ptr noundef %550) #9
-  %554 = icmp slt i32 %553, 0
-  br i1 %554, label %555, label %560
-
-555:                                              ; preds = %540
-  %556 = load ptr, ptr %20, align 8
-  %557 = getelementptr inbounds i8, ptr %556, i64 80
-  store i64 %23, ptr %557, align 8
-  %558 = load ptr, ptr %19, align 8
-  %559 = getelementptr inbounds i8, ptr %558, i64 48
-  store double 1.000000e+00, ptr %559, align 8
-  br label %565
-
-560:                                              ; preds = %540, %450, %455, %459
-  %561 = phi double [ %453, %450 ], [ %453, %455 ], [ %513, %540 ], [ %453, %459 ]
-  %562 = add nuw nsw i64 %452, 1
-  %563 = icmp slt i64 %562, %12
-  %564 = icmp eq i64 %562, %12
-  br i1 %564, label %565, label %450, !llvm.loop !10
-
-565:                                              ; preds = %560, %444, %555
-  %566 = phi i1 [ %451, %555 ], [ %207, %444 ], [ %563, %560 ]
-  %567 = phi i32 [ 1, %555 ], [ 16, %444 ], [ 16, %560 ]
-  %568 = phi double [ %513, %555 ], [ %355, %444 ], [ %561, %560 ]
-  %569 = phi i64 [ -4, %555 ], [ %353, %444 ], [ %353, %560 ]
-  br i1 %566, label %1002, label %570
-
-570:                                              ; preds = %565
-  br i1 %208, label %579, label %571
-
-571:                                              ; preds = %667, %570
-  %572 = phi i64 [ -1, %570 ], [ %668, %667 ]
-  %573 = phi i32 [ 0, %570 ], [ %669, %667 ]
-  %574 = icmp eq i32 %573, 0
-  br i1 %574, label %575, label %672
-
-575:                                              ; preds = %571
-  br i1 %217, label %576, label %805
-
-576:                                              ; preds = %575
-  %577 = fmul double %568, %2
-  %578 = fadd double %577, %1
-  br label %933
-
-579:                                              ; preds = %570, %667
-  %580 = phi i64 [ %670, %667 ], [ 0, %570 ]
-  %581 = phi i32 [ %669, %667 ], [ 0, %570 ]
-  %582 = phi i64 [ %668, %667 ], [ -1, %570 ]
-  %583 = getelementptr inbounds double, ptr %31, i64 %580
-  %584 = load double, ptr %583, align 8
-  %585 = getelementptr inbounds i64, ptr %18, i64 %580
-  %586 = load i64, ptr %585, align 8
-  %587 = icmp eq i64 %586, -1
-  br i1 %587, label %667, label %588
-
-588:                                              ; preds = %579
-  %589 = getelementptr inbounds i64, ptr %16, i64 %580
-  %590 = load i64, ptr %589, align 8
-  %591 = getelementptr inbounds i64, ptr %14, i64 %580
-  %592 = load i64, ptr %591, align 8
-  %593 = icmp slt i64 %590, 0
-  %594 = fcmp ogt double %584, 0.000000e+00
-  %595 = and i1 %594, %593
-  %596 = icmp sgt i64 %592, -1
-  %597 = and i1 %595, %596
-  br i1 %597, label %605, label %598
-
-598:                                              ; preds = %588
-  %599 = icmp sgt i64 %590, 0
-  %600 = fcmp olt double %584, 0.000000e+00
-  %601 = and i1 %600, %599
-  br i1 %601, label %602, label %605
-
-602:                                              ; preds = %598
-  %603 = icmp slt i64 %592, 1
-  %604 = zext i1 %603 to i32
-  br label %605
-
-605:                                              ; preds = %588, %598, %602
-  %606 = phi i32 [ 1, %588 ], [ 0, %598 ], [ %604, %602 ]
-  %607 = icmp eq i32 %606, 0
-  br i1 %607, label %608, label %629
-
-608:                                              ; preds = %605
-  %609 = getelementptr inbounds double, ptr %350, i64 %580
-  %610 = load double, ptr %609, align 8
-  %611 = fcmp ogt double %610, 0.000000e+00
-  %612 = and i1 %593, %611
-  %613 = and i1 %596, %612
-  br i1 %613, label %621, label %614
-
-614:                                              ; preds = %608
-  %615 = icmp sgt i64 %590, 0
-  %616 = fcmp olt double %610, 0.000000e+00
-  %617 = and i1 %615, %616
-  br i1 %617, label %618, label %621
-
-618:                                              ; preds = %614
-  %619 = icmp slt i64 %592, 1
-  %620 = zext i1 %619 to i32
-  br label %621
-
-621:                                              ; preds = %608, %614, %618
-  %622 = phi i32 [ 1, %608 ], [ 0, %614 ], [ %620, %618 ]
-  %623 = icmp eq i32 %622, 0
-  br i1 %623, label %629, label %624
-
-624:                                              ; preds = %621
-  %625 = fcmp oeq double %584, 0.000000e+00
-  %626 = icmp eq i64 %586, 1
-  %627 = or i1 %625, %626
-  %628 = zext i1 %627 to i32
-  br label %629
-
-629:                                              ; preds = %624, %621, %605
-  %630 = phi i32 [ 1, %605 ], [ %628, %624 ], [ 0, %621 ]
-  %631 = icmp eq i32 %630, 0
-  br i1 %631, label %632, label %636
-
-632:                                              ; preds = %629
-  %633 = icmp eq i64 %586, 2
-  %634 = fcmp oeq double %584, 0.000000e+00
-  %635 = select i1 %633, i1 %634, i1 false
-  br label %636
-
-636:                                              ; preds = %632, %629
-  %637 = phi i1 [ true, %629 ], [ %635, %632 ]
-  br i1 %637, label %653, label %638
-
-638:                                              ; preds = %636
-  %639 = getelementptr inbounds double, ptr %350, i64 %580
-  %640 = load double, ptr %639, align 8
-  %641 = icmp eq i64 %590, 0
-  %642 = fcmp ord double %640, 0.000000e+00
-  %643 = or i1 %641, %642
-  br i1 %643, label %653, label %644
-
-644:                                              ; preds = %638
-  %645 = sitofp i64 %590 to double
-  %646 = fmul double %584, %645
-  %647 = fcmp olt double %646, 0.000000e+00
-  br i1 %647, label %648, label %650
-
-648:                                              ; preds = %644
-  %649 = sub nsw i64 0, %590
-  store i64 %649, ptr %589, align 8
-  br label %653
-
-650:                                              ; preds = %644
-  %651 = fcmp ueq double %584, 0.000000e+00
-  %652 = select i1 %651, i64 %580, i64 %582
-  br label %653
-
-653:                                              ; preds = %650, %648, %638, %636
-  %654 = phi i64 [ %582, %636 ], [ %582, %648 ], [ %582, %638 ], [ %652, %650 ]
-  %655 = zext i1 %637 to i64
-  store i64 %655, ptr %585, align 8
-  %656 = icmp ne i32 %581, 0
-  %657 = xor i1 %637, true
-  %658 = or i1 %656, %657
-  br i1 %658, label %664, label %659
-
-659:                                              ; preds = %653
-  %660 = load ptr, ptr %209, align 8
-  %661 = getelementptr inbounds i64, ptr %660, i64 %580
-  %662 = load i64, ptr %661, align 8
-  %663 = icmp eq i64 %662, 1
-  br label %664
-
-664:                                              ; preds = %653, %659
-  %665 = phi i1 [ %656, %653 ], [ %663, %659 ]
-  %666 = zext i1 %665 to i32
-  br label %667
-
-667:                                              ; preds = %579, %664
-  %668 = phi i64 [ %654, %664 ], [ %582, %579 ]
-  %669 = phi i32 [ %666, %664 ], [ %581, %579 ]
-  %670 = add nuw nsw i64 %580, 1
-  %671 = icmp eq i64 %670, %12
-  br i1 %671, label %571, label %579, !llvm.loop !11
-
-672:                                              ; preds = %571
-  store double %568, ptr %210, align 8
-  %673 = load ptr, ptr %9, align 8
-  %674 = getelementptr inbounds i8, ptr %673, i64 8
-  %675 = load i64, ptr %674, align 8
-  %676 = load ptr, ptr %25, align 8
-  %677 = getelementptr inbounds double, ptr %676, i64 %675
-  %678 = mul i64 %675, 56
-  %679 = getelementptr inbounds i8, ptr %676, i64 %678
-  %680 = load ptr, ptr %211, align 8
-  %681 = load i64, ptr %212, align 8
-  %682 = getelementptr double, ptr %680, i64 %681
-  %683 = getelementptr i8, ptr %682, i64 -8
-  %684 = load double, ptr %683, align 8
-  %685 = load double, ptr %680, align 8
-  %686 = fsub double %684, %685
-  %687 = icmp sgt i64 %675, 0
-  br i1 %687, label %691, label %688
-
-688:                                              ; preds = %704, %672
-  %689 = phi i32 [ 0, %672 ], [ %706, %704 ]
-  %690 = icmp eq i32 %689, 0
-  br i1 %690, label %1002, label %709
-
-691:                                              ; preds = %672, %704
-  %692 = phi i64 [ %707, %704 ], [ 0, %672 ]
-  %693 = phi i32 [ %706, %704 ], [ 0, %672 ]
-  %694 = icmp eq i32 %693, 0
-  br i1 %694, label %695, label %704
-
-695:                                              ; preds = %691
-  %696 = load ptr, ptr %17, align 8
-  %697 = getelementptr inbounds i64, ptr %696, i64 %692
-  %698 = load i64, ptr %697, align 8
-  %699 = icmp sgt i64 %698, 0
-  br i1 %699, label %700, label %704
-
-700:                                              ; preds = %695
-  %701 = getelementptr inbounds double, ptr %677, i64 %692
-  %702 = load double, ptr %701, align 8
-  %703 = fcmp oeq double %702, 0.000000e+00
-  br label %704
-
-704:                                              ; preds = %700, %695, %691
-  %705 = phi i1 [ true, %691 ], [ false, %695 ], [ %703, %700 ]
-  %706 = zext i1 %705 to i32
-  %707 = add nuw nsw i64 %692, 1
-  %708 = icmp eq i64 %707, %675
-  br i1 %708, label %688, label %691, !llvm.loop !12
-
-709:                                              ; preds = %688
-  %710 = fsub double %349, %568
-  %711 = fmul double %710, %2
-  %712 = fcmp ogt double %214, %686
-  %713 = select i1 %712, double %214, double %686
-  %714 = fmul double %713, 0x3F50000000000000
-  %715 = fcmp ugt double %711, %714
-  br i1 %715, label %716, label %1002
-
-716:                                              ; preds = %709
-  %717 = fmul double %710, 0x3F50000000000000
-  %718 = fadd double %568, %717
-  %719 = load ptr, ptr %201, align 8
-  %720 = load ptr, ptr %243, align 8
-  %721 = insertelement <8 x double> poison, double %718, i64 0
-  %722 = shufflevector <8 x double> %721, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %722, ptr %720, align 8
-  %723 = load ptr, ptr %242, align 8
-  %724 = load ptr, ptr %244, align 8
-  %725 = load i64, ptr %245, align 8
-  %726 = load ptr, ptr %246, align 8
-  %727 = getelementptr inbounds i8, ptr %726, i64 24
-  %728 = load i64, ptr %727, align 8
-  %729 = load ptr, ptr %243, align 8
-  %730 = load ptr, ptr %247, align 8
-  %731 = getelementptr inbounds i8, ptr %730, i64 16
-  %732 = load i64, ptr %731, align 8
-  tail call fastcc void @nested(ptr noundef %719, ptr noundef %723, ptr noundef %724, i64 noundef %725, i64 noundef %728, ptr noundef %729, i64 noundef %732) #8
-  %733 = fmul double %718, %2
-  %734 = fadd double %733, %1
-  %735 = load ptr, ptr %202, align 8
-  store double %734, ptr %735, align 8
-  %736 = load ptr, ptr %6, align 8
-  %737 = getelementptr inbounds i8, ptr %736, i64 40
-  %738 = load i64, ptr %737, align 8
-  %739 = icmp eq i64 %738, 0
-  br i1 %739, label %741, label %740
-
-740:                                              ; preds = %716
-  tail call fastcc void @settle(ptr noundef nonnull %6) #8
-  br label %741
-
-741:                                              ; preds = %740, %716
-  %742 = load i64, ptr %203, align 8
-  %743 = icmp sgt i64 %742, 0
-  br i1 %743, label %744, label %745
-
-744:                                              ; preds = %741
-  tail call fastcc void @sample(ptr noundef nonnull %6) #8
-  br label %745
-
-745:                                              ; preds = %741, %744
-  %746 = load ptr, ptr %9, align 8
-  %747 = load i64, ptr %746, align 8
-  %748 = load ptr, ptr %204, align 8
-  %749 = load ptr, ptr %201, align 8
-  %750 = load ptr, ptr %205, align 8
-  %751 = load ptr, ptr %206, align 8
-  %752 = load ptr, ptr %25, align 8
-  %753 = getelementptr inbounds i8, ptr %746, i64 8
-  %754 = load i64, ptr %753, align 8
-  %755 = mul i64 %754, 56
-  %756 = getelementptr inbounds i8, ptr %752, i64 %755
-  %757 = inttoptr i64 %747 to ptr
-  %758 = load ptr, ptr %757, align 8
-  %759 = tail call i32 %758(ptr noundef %748, ptr noundef %749, ptr noundef %750, ptr noundef %751, ptr noundef %756) #9
-  %760 = icmp slt i32 %759, 0
-  br i1 %760, label %800, label %761
-
-761:                                              ; preds = %745
-  %762 = icmp sgt i64 %675, 0
-  br i1 %762, label %763, label %1002
-
-763:                                              ; preds = %761
-  %764 = fmul double %568, %2
-  %765 = fadd double %764, %1
-  %766 = fsub double %765, %765
-  br label %767
-
-767:                                              ; preds = %763, %797
-  %768 = phi i64 [ 0, %763 ], [ %798, %797 ]
-  %769 = load ptr, ptr %17, align 8
-  %770 = getelementptr inbounds i64, ptr %769, i64 %768
-  %771 = load i64, ptr %770, align 8
-  %772 = icmp sgt i64 %771, 0
-  br i1 %772, label %773, label %797
-
-773:                                              ; preds = %767
-  %774 = getelementptr inbounds double, ptr %677, i64 %768
-  %775 = load double, ptr %774, align 8
-  %776 = fcmp oeq double %775, 0.000000e+00
-  br i1 %776, label %777, label %797
-
-777:                                              ; preds = %773
-  %778 = getelementptr inbounds double, ptr %679, i64 %768
-  %779 = load double, ptr %778, align 8
-  %780 = fcmp oeq double %779, 0.000000e+00
-  br i1 %780, label %781, label %797
-
-781:                                              ; preds = %777
-  %782 = load i64, ptr %215, align 8
-  %783 = icmp eq i64 %782, 0
-  br i1 %783, label %797, label %784
-
-784:                                              ; preds = %781
-  %785 = load ptr, ptr %216, align 8
-  %786 = shl nsw i64 %768, 4
-  %787 = getelementptr inbounds i8, ptr %785, i64 %786
-  %788 = getelementptr inbounds i8, ptr %787, i64 8
-  %789 = load double, ptr %788, align 8
-  %790 = fcmp oeq double %789, %765
-  br i1 %790, label %796, label %791
-
-791:                                              ; preds = %784
-  %792 = load double, ptr %787, align 8
-  %793 = fsub double %789, %792
-  %794 = fcmp ult double %793, %766
-  br i1 %794, label %795, label %797
-
-795:                                              ; preds = %791
-  store double %765, ptr %787, align 8
-  br label %796
-
-796:                                              ; preds = %784, %795
-  store double %765, ptr %788, align 8
-  br label %797
-
-797:                                              ; preds = %796, %791, %781, %777, %773, %767
-  %798 = add nuw nsw i64 %768, 1
-  %799 = icmp eq i64 %798, %675
-  br i1 %799, label %1002, label %767, !llvm.loop !13
-
-800:                                              ; preds = %745
-  %801 = load ptr, ptr %20, align 8
-  %802 = getelementptr inbounds i8, ptr %801, i64 80
-  store i64 %23, ptr %802, align 8
-  %803 = load ptr, ptr %19, align 8
-  %804 = getelementptr inbounds i8, ptr %803, i64 48
-  store double 1.000000e+00, ptr %804, align 8
-  br label %1002
-
-805:                                              ; preds = %975, %575
-  %806 = load ptr, ptr %9, align 8
-  %807 = getelementptr inbounds i8, ptr %806, i64 8
-  %808 = load i64, ptr %807, align 8
-  %809 = load ptr, ptr %25, align 8
-  %810 = getelementptr inbounds double, ptr %809, i64 %808
-  %811 = mul i64 %808, 56
-  %812 = getelementptr inbounds i8, ptr %809, i64 %811
-  %813 = load ptr, ptr %223, align 8
-  %814 = load i64, ptr %224, align 8
-  %815 = getelementptr double, ptr %813, i64 %814
-  %816 = getelementptr i8, ptr %815, i64 -8
-  %817 = load double, ptr %816, align 8
-  %818 = load double, ptr %813, align 8
-  %819 = fsub double %817, %818
-  %820 = icmp sgt i64 %808, 0
-  br i1 %820, label %824, label %821
-
-821:                                              ; preds = %837, %805
-  %822 = phi i32 [ 0, %805 ], [ %839, %837 ]
-  %823 = icmp eq i32 %822, 0
-  br i1 %823, label %983, label %842
-
-824:                                              ; preds = %805, %837
-  %825 = phi i64 [ %840, %837 ], [ 0, %805 ]
-  %826 = phi i32 [ %839, %837 ], [ 0, %805 ]
-  %827 = icmp eq i32 %826, 0
-  br i1 %827, label %828, label %837
-
-828:                                              ; preds = %824
-  %829 = load ptr, ptr %17, align 8
-  %830 = getelementptr inbounds i64, ptr %829, i64 %825
-  %831 = load i64, ptr %830, align 8
-  %832 = icmp sgt i64 %831, 0
-  br i1 %832, label %833, label %837
-
-833:                                              ; preds = %828
-  %834 = getelementptr inbounds double, ptr %810, i64 %825
-  %835 = load double, ptr %834, align 8
-  %836 = fcmp oeq double %835, 0.000000e+00
-  br label %837
-
-837:                                              ; preds = %833, %828, %824
-  %838 = phi i1 [ true, %824 ], [ false, %828 ], [ %836, %833 ]
-  %839 = zext i1 %838 to i32
-  %840 = add nuw nsw i64 %825, 1
-  %841 = icmp eq i64 %840, %808
-  br i1 %841, label %821, label %824, !llvm.loop !12
-
-842:                                              ; preds = %821
-  %843 = fsub double %349, %568
-  %844 = fmul double %843, %2
-  %845 = fcmp ogt double %226, %819
-  %846 = select i1 %845, double %226, double %819
-  %847 = fmul double %846, 0x3F50000000000000
-  %848 = fcmp ugt double %844, %847
-  br i1 %848, label %849, label %983
-
-849:                                              ; preds = %842
-  %850 = fmul double %843, 0x3F50000000000000
-  %851 = fadd double %568, %850
-  %852 = load ptr, ptr %201, align 8
-  %853 = load ptr, ptr %243, align 8
-  %854 = insertelement <8 x double> poison, double %851, i64 0
-  %855 = shufflevector <8 x double> %854, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %855, ptr %853, align 8
-  %856 = load ptr, ptr %242, align 8
-  %857 = load ptr, ptr %244, align 8
-  %858 = load i64, ptr %245, align 8
-  %859 = load ptr, ptr %246, align 8
-  %860 = getelementptr inbounds i8, ptr %859, i64 24
-  %861 = load i64, ptr %860, align 8
-  %862 = load ptr, ptr %243, align 8
-  %863 = load ptr, ptr %247, align 8
-  %864 = getelementptr inbounds i8, ptr %863, i64 16
-  %865 = load i64, ptr %864, align 8
-  tail call fastcc void @nested(ptr noundef %852, ptr noundef %856, ptr noundef %857, i64 noundef %858, i64 noundef %861, ptr noundef %862, i64 noundef %865) #8
-  %866 = fmul double %851, %2
-  %867 = fadd double %866, %1
-  %868 = load ptr, ptr %202, align 8
-  store double %867, ptr %868, align 8
-  %869 = load ptr, ptr %6, align 8
-  %870 = getelementptr inbounds i8, ptr %869, i64 40
-  %871 = load i64, ptr %870, align 8
-  %872 = icmp eq i64 %871, 0
-  br i1 %872, label %874, label %873
-
-873:                                              ; preds = %849
-  tail call fastcc void @settle(ptr noundef nonnull %6) #8
-  br label %874
-
-874:                                              ; preds = %873, %849
-  %875 = load i64, ptr %203, align 8
-  %876 = icmp sgt i64 %875, 0
-  br i1 %876, label %877, label %878
-
-877:                                              ; preds = %874
-  tail call fastcc void @sample(ptr noundef nonnull %6) #8
-  br label %878
-
-878:                                              ; preds = %874, %877
-  %879 = load ptr, ptr %9, align 8
-  %880 = load i64, ptr %879, align 8
-  %881 = load ptr, ptr %204, align 8
-  %882 = load ptr, ptr %201, align 8
-  %883 = load ptr, ptr %205, align 8
-  %884 = load ptr, ptr %206, align 8
-  %885 = load ptr, ptr %25, align 8
-  %886 = getelementptr inbounds i8, ptr %879, i64 8
-  %887 = load i64, ptr %886, align 8
-  %888 = mul i64 %887, 56
-  %889 = getelementptr inbounds i8, ptr %885, i64 %888
-  %890 = inttoptr i64 %880 to ptr
-  %891 = load ptr, ptr %890, align 8
-  %892 = tail call i32 %891(ptr noundef %881, ptr noundef %882, ptr noundef %883, ptr noundef %884, ptr noundef %889) #9
-  %893 = icmp slt i32 %892, 0
-  br i1 %893, label %978, label %894
-
-894:                                              ; preds = %878
-  %895 = icmp sgt i64 %808, 0
-  br i1 %895, label %896, label %983
-
-896:                                              ; preds = %894
-  %897 = fmul double %568, %2
-  %898 = fadd double %897, %1
-  %899 = fsub double %898, %898
-  br label %900
-
-900:                                              ; preds = %896, %930
-  %901 = phi i64 [ 0, %896 ], [ %931, %930 ]
-  %902 = load ptr, ptr %17, align 8
-  %903 = getelementptr inbounds i64, ptr %902, i64 %901
-  %904 = load i64, ptr %903, align 8
-  %905 = icmp sgt i64 %904, 0
-  br i1 %905, label %906, label %930
-
-906:                                              ; preds = %900
-  %907 = getelementptr inbounds double, ptr %810, i64 %901
-  %908 = load double, ptr %907, align 8
-  %909 = fcmp oeq double %908, 0.000000e+00
-  br i1 %909, label %910, label %930
-
-910:                                              ; preds = %906
-  %911 = getelementptr inbounds double, ptr %812, i64 %901
-  %912 = load double, ptr %911, align 8
-  %913 = fcmp oeq double %912, 0.000000e+00
-  br i1 %913, label %914, label %930
-
-914:                                              ; preds = %910
-  %915 = load i64, ptr %227, align 8
-  %916 = icmp eq i64 %915, 0
-  br i1 %916, label %930, label %917
-
-917:                                              ; preds = %914
-  %918 = load ptr, ptr %228, align 8
-  %919 = shl nsw i64 %901, 4
-  %920 = getelementptr inbounds i8, ptr %918, i64 %919
-  %921 = getelementptr inbounds i8, ptr %920, i64 8
-  %922 = load double, ptr %921, align 8
-  %923 = fcmp oeq double %922, %898
-  br i1 %923, label %929, label %924
-
-924:                                              ; preds = %917
-  %925 = load double, ptr %920, align 8
-  %926 = fsub double %922, %925
-  %927 = fcmp ult double %926, %899
-  br i1 %927, label %928, label %930
-
-928:                                              ; preds = %924
-  store double %898, ptr %920, align 8
-  br label %929
-
-929:                                              ; preds = %917, %928
-  store double %898, ptr %921, align 8
-  br label %930
-
-930:                                              ; preds = %929, %924, %914, %910, %906, %900
-  %931 = add nuw nsw i64 %901, 1
-  %932 = icmp eq i64 %931, %808
-  br i1 %932, label %983, label %900, !llvm.loop !13
-
-933:                                              ; preds = %576, %975
-  %934 = phi i64 [ 0, %576 ], [ %976, %975 ]
-  %935 = getelementptr inbounds i64, ptr %18, i64 %934
-  %936 = load i64, ptr %935, align 8
-  %937 = icmp slt i64 %936, 1
-  br i1 %937, label %975, label %938
-
-938:                                              ; preds = %933
-  %939 = load ptr, ptr %20, align 8
-  %940 = getelementptr inbounds i8, ptr %939, i64 80
-  %941 = load i64, ptr %940, align 8
-  %942 = load ptr, ptr %6, align 8
-  %943 = getelementptr inbounds i8, ptr %942, i64 8
-  %944 = load i64, ptr %943, align 8
-  %945 = load i64, ptr %218, align 8
-  %946 = icmp eq i64 %945, 0
-  br i1 %946, label %971, label %947
-
-947:                                              ; preds = %938
-  %948 = load ptr, ptr %219, align 8
-  %949 = getelementptr inbounds double, ptr %948, i64 %941
-  store double %578, ptr %949, align 8
-  %950 = load ptr, ptr %220, align 8
-  %951 = getelementptr inbounds i64, ptr %950, i64 %941
-  store i64 %934, ptr %951, align 8
-  %952 = icmp sgt i64 %944, 0
-  br i1 %952, label %953, label %955
-
-953:                                              ; preds = %947
-  %954 = mul nsw i64 %944, %941
-  br label %959
-
-955:                                              ; preds = %959, %947
-  %956 = add nsw i64 %941, 1
-  %957 = load ptr, ptr %20, align 8
-  %958 = getelementptr inbounds i8, ptr %957, i64 80
-  store i64 %956, ptr %958, align 8
-  br label %971
-
-959:                                              ; preds = %953, %959
-  %960 = phi i64 [ 0, %953 ], [ %969, %959 ]
-  %961 = load ptr, ptr %201, align 8
-  %962 = getelementptr inbounds double, ptr %961, i64 %960
-  %963 = load double, ptr %962, align 8
-  %964 = load ptr, ptr %221, align 8
-  %965 = add nsw i64 %960, %954
-  %966 = getelementptr inbounds double, ptr %964, i64 %965
-  store double %963, ptr %966, align 8
-  %967 = load ptr, ptr %222, align 8
-  %968 = getelementptr inbounds double, ptr %967, i64 %965
-  store double %963, ptr %968, align 8
-  %969 = add nuw nsw i64 %960, 1
-  %970 = icmp eq i64 %969, %944
-  br i1 %970, label %955, label %959, !llvm.loop !14
-
-971:                                              ; preds = %938, %955
-  %972 = getelementptr inbounds i64, ptr %16, i64 %934
-  %973 = load i64, ptr %972, align 8
-  %974 = sub nsw i64 0, %973
-  store i64 %974, ptr %972, align 8
-  br label %975
-
-975:                                              ; preds = %933, %971
-  %976 = add nuw nsw i64 %934, 1
-  %977 = icmp eq i64 %976, %12
-  br i1 %977, label %805, label %933, !llvm.loop !15
-
-978:                                              ; preds = %878
-  %979 = load ptr, ptr %20, align 8
-  %980 = getelementptr inbounds i8, ptr %979, i64 80
-  store i64 %23, ptr %980, align 8
-  %981 = load ptr, ptr %19, align 8
-  %982 = getelementptr inbounds i8, ptr %981, i64 48
-  store double 1.000000e+00, ptr %982, align 8
-  br label %1002
-
-983:                                              ; preds = %930, %894, %842, %821
-  %984 = icmp sgt i64 %572, -1
-  br i1 %984, label %985, label %994
-
-985:                                              ; preds = %983
-  br i1 %231, label %987, label %986
-
-986:                                              ; preds = %987, %985
-  store double %568, ptr %232, align 8
-  br label %1002
-
-987:                                              ; preds = %985, %987
-  %988 = phi i64 [ %992, %987 ], [ 0, %985 ]
-  %989 = icmp eq i64 %988, %572
-  %990 = zext i1 %989 to i64
-  %991 = getelementptr inbounds i64, ptr %18, i64 %988
-  store i64 %990, ptr %991, align 8
-  %992 = add nuw nsw i64 %988, 1
-  %993 = icmp eq i64 %992, %12
-  br i1 %993, label %986, label %987, !llvm.loop !16
-
-994:                                              ; preds = %983
-  %995 = load i64, ptr %229, align 8
-  %996 = icmp sgt i64 %995, 0
-  br i1 %996, label %997, label %1002
-
-997:                                              ; preds = %994
-  %998 = load i64, ptr %22, align 8
-  %999 = add nsw i64 %998, %12
-  %1000 = icmp sgt i64 %999, %995
-  br i1 %1000, label %1001, label %1002
-
-1001:                                             ; preds = %997
-  store double %568, ptr %230, align 8
-  br label %1002
-
-1002:                                             ; preds = %797, %761, %709, %688, %978, %986, %1001, %800, %997, %994, %354, %565, %445
-  %1003 = phi i32 [ 1, %445 ], [ %567, %565 ], [ 11, %354 ], [ 1, %978 ], [ 1, %986 ], [ 1, %1001 ], [ 1, %800 ], [ 0, %997 ], [ 0, %994 ], [ 1, %688 ], [ 1, %709 ], [ 1, %761 ], [ 1, %797 ]
-  %1004 = phi double [ %352, %445 ], [ %352, %565 ], [ %352, %354 ], [ %352, %978 ], [ %352, %986 ], [ %352, %1001 ], [ %352, %800 ], [ %568, %997 ], [ %568, %994 ], [ %352, %688 ], [ %352, %709 ], [ %352, %761 ], [ %352, %797 ]
-  %1005 = phi i64 [ -4, %445 ], [ %569, %565 ], [ %353, %354 ], [ -4, %978 ], [ 21, %986 ], [ -3, %1001 ], [ -4, %800 ], [ %569, %997 ], [ %569, %994 ], [ -2, %688 ], [ -2, %709 ], [ -2, %761 ], [ -2, %797 ]
-  switch i32 %1003, label %1079 [
-    i32 0, label %351
-    i32 11, label %1006
-  ], !llvm.loop !17
-
-1006:                                             ; preds = %1002
-  br i1 %233, label %1007, label %1079
-
-1007:                                             ; preds = %1006
-  %1008 = fcmp oeq double %349, %255
-  %1009 = add nsw i32 %252, -1
-  %1010 = sext i32 %1009 to i64
-  %1011 = mul nsw i64 %12, %1010
-  %1012 = getelementptr double, ptr %28, i64 %1011
-  %1013 = getelementptr inbounds [5 x double], ptr @scan_points, i64 0, i64 %1010
-  %1014 = fmul double %349, %2
-  %1015 = fadd double %1014, %1
+  br label %443
+
+443:                                              ; preds = %439, %442
+  %444 = load ptr, ptr %9, align 8
+  %445 = load i64, ptr %444, align 8
+  %446 = load ptr, ptr %163, align 8
+  %447 = load ptr, ptr %160, align 8
+  %448 = load ptr, ptr %164, align 8
+  %449 = load ptr, ptr %165, align 8
+  %450 = load ptr, ptr %25, align 8
+  %451 = getelementptr inbounds i8, ptr %444, i64 8
+  %452 = load i64, ptr %451, align 8
+  %453 = getelementptr inbounds double, ptr %450, i64 %452
+  %454 = inttoptr i64 %445 to ptr
+  %455 = load ptr, ptr %454, align 8
+  %456 = tail call i32 %455(ptr noundef %446, ptr noundef %447, ptr noundef %448, ptr noundef %449, ptr noundef %453) #9
+  %457 = icmp slt i32 %456, 0
+  br i1 %457, label %459, label %458
+
+458:                                              ; preds = %443
+  br i1 %166, label %464, label %579
+
+459:                                              ; preds = %443
+  %460 = load ptr, ptr %20, align 8
+  %461 = getelementptr inbounds i8, ptr %460, i64 80
+  store i64 %23, ptr %461, align 8
+  %462 = load ptr, ptr %19, align 8
+  %463 = getelementptr inbounds i8, ptr %462, i64 48
+  store double 1.000000e+00, ptr %463, align 8
   br label %1016
 
-1016:                                             ; preds = %1007, %1071
-  %1017 = phi i64 [ 0, %1007 ], [ %1072, %1071 ]
-  %1018 = getelementptr inbounds double, ptr %350, i64 %1017
-  %1019 = load double, ptr %1018, align 8
-  %1020 = getelementptr inbounds i64, ptr %16, i64 %1017
-  %1021 = load i64, ptr %1020, align 8
-  %1022 = sitofp i64 %1021 to double
-  %1023 = fmul double %1019, %1022
-  %1024 = fcmp olt double %1023, 0.000000e+00
-  br i1 %1024, label %1025, label %1031
+464:                                              ; preds = %458, %574
+  %465 = phi i1 [ %577, %574 ], [ %166, %458 ]
+  %466 = phi i64 [ %576, %574 ], [ 0, %458 ]
+  %467 = phi double [ %575, %574 ], [ %369, %458 ]
+  %468 = icmp eq i64 %466, %370
+  br i1 %468, label %574, label %469
 
-1025:                                             ; preds = %1016
-  %1026 = call fastcc i32 @departs(ptr noundef %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, double noundef %1004, double noundef %349, double noundef %1019, i64 noundef %1017) #8
-  %1027 = icmp eq i32 %1026, 0
-  br i1 %1027, label %1028, label %1031
+469:                                              ; preds = %464
+  %470 = getelementptr inbounds i64, ptr %18, i64 %466
+  %471 = load i64, ptr %470, align 8
+  %472 = icmp eq i64 %471, 0
+  br i1 %472, label %473, label %574
 
-1028:                                             ; preds = %1025
-  %1029 = load i64, ptr %1020, align 8
-  %1030 = sub nsw i64 0, %1029
-  br label %1040
+473:                                              ; preds = %469
+  %474 = getelementptr inbounds i64, ptr %16, i64 %466
+  %475 = load i64, ptr %474, align 8
+  %476 = sitofp i64 %475 to double
+  %477 = getelementptr inbounds double, ptr %31, i64 %466
+  %478 = load double, ptr %477, align 8
+  %479 = fmul double %478, %476
+  %480 = fcmp olt double %479, 0.000000e+00
+  br i1 %480, label %481, label %574
 
-1031:                                             ; preds = %1025, %1016
-  %1032 = load i64, ptr %1020, align 8
-  %1033 = icmp eq i64 %1032, 0
-  br i1 %1033, label %1034, label %1042
+481:                                              ; preds = %473
+  %482 = call fastcc i32 @departs(ptr noundef nonnull %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, double noundef %366, double noundef %467, double noundef %478, i64 noundef %466) #8
+  %483 = icmp eq i32 %482, 0
+  br i1 %483, label %484, label %523
 
-1034:                                             ; preds = %1031
-  %1035 = load double, ptr %1018, align 8
-  %1036 = fcmp ogt double %1035, 0.000000e+00
-  %1037 = fcmp olt double %1035, 0.000000e+00
-  %1038 = sext i1 %1037 to i64
-  %1039 = select i1 %1036, i64 1, i64 %1038
-  br label %1040
+484:                                              ; preds = %481
+  %485 = load i64, ptr %474, align 8
+  %486 = load double, ptr %477, align 8
+  %487 = getelementptr inbounds i64, ptr %14, i64 %466
+  %488 = load i64, ptr %487, align 8
+  %489 = icmp slt i64 %485, 0
+  %490 = fcmp ogt double %486, 0.000000e+00
+  %491 = and i1 %489, %490
+  %492 = icmp sgt i64 %488, -1
+  %493 = and i1 %491, %492
+  br i1 %493, label %501, label %494
 
-1040:                                             ; preds = %1028, %1034
-  %1041 = phi i64 [ %1039, %1034 ], [ %1030, %1028 ]
-  store i64 %1041, ptr %1020, align 8
-  br label %1042
+494:                                              ; preds = %484
+  %495 = icmp sgt i64 %485, 0
+  %496 = fcmp olt double %486, 0.000000e+00
+  %497 = and i1 %495, %496
+  br i1 %497, label %498, label %501
 
-1042:                                             ; preds = %1040, %1031
-  br i1 %1008, label %1043, label %1071
+498:                                              ; preds = %494
+  %499 = icmp slt i64 %488, 1
+  %500 = zext i1 %499 to i32
+  br label %501
 
-1043:                                             ; preds = %1042
-  %1044 = getelementptr double, ptr %1012, i64 %1017
-  %1045 = load double, ptr %1044, align 8
-  %1046 = fcmp oeq double %1045, 0.000000e+00
-  br i1 %1046, label %1047, label %1071
+501:                                              ; preds = %484, %494, %498
+  %502 = phi i32 [ 1, %484 ], [ 0, %494 ], [ %500, %498 ]
+  %503 = icmp eq i32 %502, 0
+  br i1 %503, label %526, label %504
 
-1047:                                             ; preds = %1043
-  %1048 = getelementptr double, ptr %306, i64 %1017
-  %1049 = load double, ptr %1048, align 8
-  %1050 = fcmp oeq double %1049, 0.000000e+00
-  br i1 %1050, label %1051, label %1071
+504:                                              ; preds = %501
+  %505 = getelementptr inbounds double, ptr %358, i64 %466
+  %506 = load double, ptr %505, align 8
+  %507 = fcmp ogt double %506, 0.000000e+00
+  %508 = and i1 %489, %507
+  %509 = and i1 %492, %508
+  br i1 %509, label %517, label %510
 
-1051:                                             ; preds = %1047
-  %1052 = load double, ptr %1013, align 8
-  %1053 = fmul double %1052, %2
-  %1054 = fadd double %1053, %1
-  %1055 = load i64, ptr %234, align 8
-  %1056 = icmp eq i64 %1055, 0
-  br i1 %1056, label %1071, label %1057
+510:                                              ; preds = %504
+  %511 = icmp sgt i64 %485, 0
+  %512 = fcmp olt double %506, 0.000000e+00
+  %513 = and i1 %511, %512
+  br i1 %513, label %514, label %517
 
-1057:                                             ; preds = %1051
-  %1058 = load ptr, ptr %235, align 8
-  %1059 = shl nsw i64 %1017, 4
-  %1060 = getelementptr inbounds i8, ptr %1058, i64 %1059
-  %1061 = getelementptr inbounds i8, ptr %1060, i64 8
-  %1062 = load double, ptr %1061, align 8
-  %1063 = fcmp oeq double %1062, %1054
-  br i1 %1063, label %1070, label %1064
+514:                                              ; preds = %510
+  %515 = icmp slt i64 %488, 1
+  %516 = zext i1 %515 to i32
+  br label %517
 
-1064:                                             ; preds = %1057
-  %1065 = load double, ptr %1060, align 8
-  %1066 = fsub double %1062, %1065
-  %1067 = fsub double %1015, %1054
-  %1068 = fcmp ult double %1066, %1067
-  br i1 %1068, label %1069, label %1071
+517:                                              ; preds = %504, %510, %514
+  %518 = phi i32 [ 1, %504 ], [ 0, %510 ], [ %516, %514 ]
+  %519 = icmp eq i32 %518, 0
+  br i1 %519, label %520, label %526
 
-1069:                                             ; preds = %1064
-  store double %1054, ptr %1060, align 8
-  br label %1070
+520:                                              ; preds = %517
+  %521 = call fastcc double @locate(ptr noundef nonnull %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, double noundef %366, double noundef %467, i64 noundef %466) #8
+  %522 = fcmp ogt double %521, %366
+  br i1 %522, label %523, label %526
 
-1070:                                             ; preds = %1057, %1069
-  store double %1015, ptr %1061, align 8
-  br label %1071
+523:                                              ; preds = %520, %481
+  %524 = phi i64 [ -1, %481 ], [ 2, %520 ]
+  %525 = phi double [ %467, %481 ], [ %521, %520 ]
+  store i64 %524, ptr %470, align 8
+  br label %526
 
-1071:                                             ; preds = %1070, %1064, %1051, %1042, %1043, %1047
-  %1072 = add nuw nsw i64 %1017, 1
-  %1073 = icmp eq i64 %1072, %12
-  br i1 %1073, label %1079, label %1016, !llvm.loop !18
+526:                                              ; preds = %523, %520, %501, %517
+  %527 = phi double [ %467, %517 ], [ %467, %501 ], [ %467, %520 ], [ %525, %523 ]
+  %528 = load ptr, ptr %160, align 8
+  %529 = load ptr, ptr %360, align 8
+  %530 = insertelement <8 x double> poison, double %527, i64 0
+  %531 = shufflevector <8 x double> %530, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %531, ptr %529, align 8
+  %532 = load ptr, ptr %359, align 8
+  %533 = load ptr, ptr %361, align 8
+  %534 = load i64, ptr %362, align 8
+  %535 = load ptr, ptr %363, align 8
+  %536 = getelementptr inbounds i8, ptr %535, i64 24
+  %537 = load i64, ptr %536, align 8
+  %538 = load ptr, ptr %360, align 8
+  %539 = load ptr, ptr %364, align 8
+  %540 = getelementptr inbounds i8, ptr %539, i64 16
+  %541 = load i64, ptr %540, align 8
+  tail call fastcc void @nested(ptr noundef %528, ptr noundef %532, ptr noundef %533, i64 noundef %534, i64 noundef %537, ptr noundef %538, i64 noundef %541) #8
+  %542 = fmul double %527, %2
+  %543 = fadd double %542, %1
+  %544 = load ptr, ptr %161, align 8
+  store double %543, ptr %544, align 8
+  %545 = load ptr, ptr %6, align 8
+  %546 = getelementptr inbounds i8, ptr %545, i64 40
+  %547 = load i64, ptr %546, align 8
+  %548 = icmp eq i64 %547, 0
+  br i1 %548, label %550, label %549
 
-1074:                                             ; preds = %336, %302
-  %1075 = load ptr, ptr %20, align 8
-  %1076 = getelementptr inbounds i8, ptr %1075, i64 80
-  store i64 %23, ptr %1076, align 8
-  %1077 = load ptr, ptr %19, align 8
-  %1078 = getelementptr inbounds i8, ptr %1077, i64 48
-  store double 1.000000e+00, ptr %1078, align 8
-  br label %1079
+549:                                              ; preds = %526
+  tail call fastcc void @settle(ptr noundef nonnull %6) #8
+  br label %550
 
-1079:                                             ; preds = %1002, %1071, %1074, %1006
-  %1080 = phi i32 [ 0, %1006 ], [ 1, %1074 ], [ 0, %1071 ], [ %1003, %1002 ]
-  %1081 = phi double [ %349, %1006 ], [ %251, %1074 ], [ %349, %1071 ], [ %1004, %1002 ]
-  %1082 = phi i64 [ %1005, %1006 ], [ -4, %1074 ], [ %1005, %1071 ], [ %1005, %1002 ]
-  %1083 = icmp eq i32 %1080, 0
-  br i1 %1083, label %1084, label %1089
+550:                                              ; preds = %549, %526
+  %551 = load i64, ptr %162, align 8
+  %552 = icmp sgt i64 %551, 0
+  br i1 %552, label %553, label %554
 
-1084:                                             ; preds = %1079
-  %1085 = fcmp oeq double %1081, %255
-  %1086 = zext i1 %1085 to i32
-  %1087 = add nuw nsw i32 %252, %1086
-  %1088 = icmp ugt i32 %1087, 4
-  br i1 %1088, label %1089, label %248, !llvm.loop !19
+553:                                              ; preds = %550
+  tail call fastcc void @sample(ptr noundef nonnull %6) #8
+  br label %554
 
-1089:                                             ; preds = %1084, %1079
-  %1090 = phi i1 [ %1088, %1084 ], [ %249, %1079 ]
-  br i1 %1090, label %1091, label %1109
+554:                                              ; preds = %550, %553
+  %555 = load ptr, ptr %9, align 8
+  %556 = load i64, ptr %555, align 8
+  %557 = load ptr, ptr %163, align 8
+  %558 = load ptr, ptr %160, align 8
+  %559 = load ptr, ptr %164, align 8
+  %560 = load ptr, ptr %165, align 8
+  %561 = load ptr, ptr %25, align 8
+  %562 = getelementptr inbounds i8, ptr %555, i64 8
+  %563 = load i64, ptr %562, align 8
+  %564 = getelementptr inbounds double, ptr %561, i64 %563
+  %565 = inttoptr i64 %556 to ptr
+  %566 = load ptr, ptr %565, align 8
+  %567 = tail call i32 %566(ptr noundef %557, ptr noundef %558, ptr noundef %559, ptr noundef %560, ptr noundef %564) #9
+  %568 = icmp slt i32 %567, 0
+  br i1 %568, label %569, label %574
 
-1091:                                             ; preds = %1089
-  %1092 = icmp sgt i64 %12, 0
-  br i1 %1092, label %1093, label %1096
+569:                                              ; preds = %554
+  %570 = load ptr, ptr %20, align 8
+  %571 = getelementptr inbounds i8, ptr %570, i64 80
+  store i64 %23, ptr %571, align 8
+  %572 = load ptr, ptr %19, align 8
+  %573 = getelementptr inbounds i8, ptr %572, i64 48
+  store double 1.000000e+00, ptr %573, align 8
+  br label %579
 
-1093:                                             ; preds = %1091
-  %1094 = shl i64 %12, 5
-  %1095 = getelementptr i8, ptr %28, i64 %1094
-  br label %1098
+574:                                              ; preds = %554, %464, %469, %473
+  %575 = phi double [ %467, %464 ], [ %467, %469 ], [ %527, %554 ], [ %467, %473 ]
+  %576 = add nuw nsw i64 %466, 1
+  %577 = icmp slt i64 %576, %12
+  %578 = icmp eq i64 %576, %12
+  br i1 %578, label %579, label %464, !llvm.loop !10
 
-1096:                                             ; preds = %1098, %1091
-  %1097 = load double, ptr %24, align 8
-  store double %1097, ptr %30, align 8
-  br label %1105
+579:                                              ; preds = %574, %458, %569
+  %580 = phi i1 [ %465, %569 ], [ %166, %458 ], [ %577, %574 ]
+  %581 = phi i32 [ 1, %569 ], [ 16, %458 ], [ 16, %574 ]
+  %582 = phi double [ %527, %569 ], [ %369, %458 ], [ %575, %574 ]
+  %583 = phi i64 [ -4, %569 ], [ %367, %458 ], [ %367, %574 ]
+  br i1 %580, label %1016, label %584
 
-1098:                                             ; preds = %1093, %1098
-  %1099 = phi i64 [ 0, %1093 ], [ %1103, %1098 ]
-  %1100 = getelementptr double, ptr %1095, i64 %1099
-  %1101 = load double, ptr %1100, align 8
-  %1102 = getelementptr inbounds double, ptr %28, i64 %1099
-  store double %1101, ptr %1102, align 8
-  %1103 = add nuw nsw i64 %1099, 1
-  %1104 = icmp eq i64 %1103, %12
-  br i1 %1104, label %1096, label %1098, !llvm.loop !20
+584:                                              ; preds = %579
+  br i1 %167, label %593, label %585
 
-1105:                                             ; preds = %125, %1096, %189, %98
-  %1106 = phi ptr [ %101, %98 ], [ %192, %189 ], [ %24, %1096 ], [ %128, %125 ]
-  %1107 = phi i64 [ -4, %98 ], [ -4, %189 ], [ 0, %1096 ], [ -4, %125 ]
-  %1108 = getelementptr inbounds i8, ptr %1106, i64 48
-  store double 1.000000e+00, ptr %1108, align 8
-  br label %1109
+585:                                              ; preds = %681, %584
+  %586 = phi i64 [ -1, %584 ], [ %682, %681 ]
+  %587 = phi i32 [ 0, %584 ], [ %683, %681 ]
+  %588 = icmp eq i32 %587, 0
+  br i1 %588, label %589, label %686
 
-1109:                                             ; preds = %1105, %1089, %106
-  %1110 = phi i64 [ %1082, %1089 ], [ %107, %106 ], [ %1107, %1105 ]
-  ret i64 %1110
+589:                                              ; preds = %585
+  br i1 %176, label %590, label %819
+
+590:                                              ; preds = %589
+  %591 = fmul double %582, %2
+  %592 = fadd double %591, %1
+  br label %947
+
+593:                                              ; preds = %584, %681
+  %594 = phi i64 [ %684, %681 ], [ 0, %584 ]
+  %595 = phi i32 [ %683, %681 ], [ 0, %584 ]
+  %596 = phi i64 [ %682, %681 ], [ -1, %584 ]
+  %597 = getelementptr inbounds double, ptr %31, i64 %594
+  %598 = load double, ptr %597, align 8
+  %599 = getelementptr inbounds i64, ptr %18, i64 %594
+  %600 = load i64, ptr %599, align 8
+  %601 = icmp eq i64 %600, -1
+  br i1 %601, label %681, label %602
+
+602:                                              ; preds = %593
+  %603 = getelementptr inbounds i64, ptr %16, i64 %594
+  %604 = load i64, ptr %603, align 8
+  %605 = getelementptr inbounds i64, ptr %14, i64 %594
+  %606 = load i64, ptr %605, align 8
+  %607 = icmp slt i64 %604, 0
+  %608 = fcmp ogt double %598, 0.000000e+00
+  %609 = and i1 %608, %607
+  %610 = icmp sgt i64 %606, -1
+  %611 = and i1 %609, %610
+  br i1 %611, label %619, label %612
+
+612:                                              ; preds = %602
+  %613 = icmp sgt i64 %604, 0
+  %614 = fcmp olt double %598, 0.000000e+00
+  %615 = and i1 %614, %613
+  br i1 %615, label %616, label %619
+
+616:                                              ; preds = %612
+  %617 = icmp slt i64 %606, 1
+  %618 = zext i1 %617 to i32
+  br label %619
+
+619:                                              ; preds = %602, %612, %616
+  %620 = phi i32 [ 1, %602 ], [ 0, %612 ], [ %618, %616 ]
+  %621 = icmp eq i32 %620, 0
+  br i1 %621, label %622, label %643
+
+622:                                              ; preds = %619
+  %623 = getelementptr inbounds double, ptr %358, i64 %594
+  %624 = load double, ptr %623, align 8
+  %625 = fcmp ogt double %624, 0.000000e+00
+  %626 = and i1 %607, %625
+  %627 = and i1 %610, %626
+  br i1 %627, label %635, label %628
+
+628:                                              ; preds = %622
+  %629 = icmp sgt i64 %604, 0
+  %630 = fcmp olt double %624, 0.000000e+00
+  %631 = and i1 %629, %630
+  br i1 %631, label %632, label %635
+
+632:                                              ; preds = %628
+  %633 = icmp slt i64 %606, 1
+  %634 = zext i1 %633 to i32
+  br label %635
+
+635:                                              ; preds = %622, %628, %632
+  %636 = phi i32 [ 1, %622 ], [ 0, %628 ], [ %634, %632 ]
+  %637 = icmp eq i32 %636, 0
+  br i1 %637, label %643, label %638
+
+638:                                              ; preds = %635
+  %639 = fcmp oeq double %598, 0.000000e+00
+  %640 = icmp eq i64 %600, 1
+  %641 = or i1 %639, %640
+  %642 = zext i1 %641 to i32
+  br label %643
+
+643:                                              ; preds = %638, %635, %619
+  %644 = phi i32 [ 1, %619 ], [ %642, %638 ], [ 0, %635 ]
+  %645 = icmp eq i32 %644, 0
+  br i1 %645, label %646, label %650
+
+646:                                              ; preds = %643
+  %647 = icmp eq i64 %600, 2
+  %648 = fcmp oeq double %598, 0.000000e+00
+  %649 = select i1 %647, i1 %648, i1 false
+  br label %650
+
+650:                                              ; preds = %646, %643
+  %651 = phi i1 [ true, %643 ], [ %649, %646 ]
+  br i1 %651, label %667, label %652
+
+652:                                              ; preds = %650
+  %653 = getelementptr inbounds double, ptr %358, i64 %594
+  %654 = load double, ptr %653, align 8
+  %655 = icmp eq i64 %604, 0
+  %656 = fcmp ord double %654, 0.000000e+00
+  %657 = or i1 %655, %656
+  br i1 %657, label %667, label %658
+
+658:                                              ; preds = %652
+  %659 = sitofp i64 %604 to double
+  %660 = fmul double %598, %659
+  %661 = fcmp olt double %660, 0.000000e+00
+  br i1 %661, label %662, label %664
+
+662:                                              ; preds = %658
+  %663 = sub nsw i64 0, %604
+  store i64 %663, ptr %603, align 8
+  br label %667
+
+664:                                              ; preds = %658
+  %665 = fcmp ueq double %598, 0.000000e+00
+  %666 = select i1 %665, i64 %594, i64 %596
+  br label %667
+
+667:                                              ; preds = %664, %662, %652, %650
+  %668 = phi i64 [ %596, %650 ], [ %596, %662 ], [ %596, %652 ], [ %666, %664 ]
+  %669 = zext i1 %651 to i64
+  store i64 %669, ptr %599, align 8
+  %670 = icmp ne i32 %595, 0
+  %671 = xor i1 %651, true
+  %672 = or i1 %670, %671
+  br i1 %672, label %678, label %673
+
+673:                                              ; preds = %667
+  %674 = load ptr, ptr %168, align 8
+  %675 = getelementptr inbounds i64, ptr %674, i64 %594
+  %676 = load i64, ptr %675, align 8
+  %677 = icmp eq i64 %676, 1
+  br label %678
+
+678:                                              ; preds = %667, %673
+  %679 = phi i1 [ %670, %667 ], [ %677, %673 ]
+  %680 = zext i1 %679 to i32
+  br label %681
+
+681:                                              ; preds = %593, %678
+  %682 = phi i64 [ %668, %678 ], [ %596, %593 ]
+  %683 = phi i32 [ %680, %678 ], [ %595, %593 ]
+  %684 = add nuw nsw i64 %594, 1
+  %685 = icmp eq i64 %684, %12
+  br i1 %685, label %585, label %593, !llvm.loop !11
+
+686:                                              ; preds = %585
+  store double %582, ptr %169, align 8
+  %687 = load ptr, ptr %9, align 8
+  %688 = getelementptr inbounds i8, ptr %687, i64 8
+  %689 = load i64, ptr %688, align 8
+  %690 = load ptr, ptr %25, align 8
+  %691 = getelementptr inbounds double, ptr %690, i64 %689
+  %692 = mul i64 %689, 56
+  %693 = getelementptr inbounds i8, ptr %690, i64 %692
+  %694 = load ptr, ptr %170, align 8
+  %695 = load i64, ptr %171, align 8
+  %696 = getelementptr double, ptr %694, i64 %695
+  %697 = getelementptr i8, ptr %696, i64 -8
+  %698 = load double, ptr %697, align 8
+  %699 = load double, ptr %694, align 8
+  %700 = fsub double %698, %699
+  %701 = icmp sgt i64 %689, 0
+  br i1 %701, label %705, label %702
+
+702:                                              ; preds = %718, %686
+  %703 = phi i32 [ 0, %686 ], [ %720, %718 ]
+  %704 = icmp eq i32 %703, 0
+  br i1 %704, label %1016, label %723
+
+705:                                              ; preds = %686, %718
+  %706 = phi i64 [ %721, %718 ], [ 0, %686 ]
+  %707 = phi i32 [ %720, %718 ], [ 0, %686 ]
+  %708 = icmp eq i32 %707, 0
+  br i1 %708, label %709, label %718
+
+709:                                              ; preds = %705
+  %710 = load ptr, ptr %17, align 8
+  %711 = getelementptr inbounds i64, ptr %710, i64 %706
+  %712 = load i64, ptr %711, align 8
+  %713 = icmp sgt i64 %712, 0
+  br i1 %713, label %714, label %718
+
+714:                                              ; preds = %709
+  %715 = getelementptr inbounds double, ptr %691, i64 %706
+  %716 = load double, ptr %715, align 8
+  %717 = fcmp oeq double %716, 0.000000e+00
+  br label %718
+
+718:                                              ; preds = %714, %709, %705
+  %719 = phi i1 [ true, %705 ], [ false, %709 ], [ %717, %714 ]
+  %720 = zext i1 %719 to i32
+  %721 = add nuw nsw i64 %706, 1
+  %722 = icmp eq i64 %721, %689
+  br i1 %722, label %702, label %705, !llvm.loop !12
+
+723:                                              ; preds = %702
+  %724 = fsub double %357, %582
+  %725 = fmul double %724, %2
+  %726 = fcmp ogt double %173, %700
+  %727 = select i1 %726, double %173, double %700
+  %728 = fmul double %727, 0x3F50000000000000
+  %729 = fcmp ugt double %725, %728
+  br i1 %729, label %730, label %1016
+
+730:                                              ; preds = %723
+  %731 = fmul double %724, 0x3F50000000000000
+  %732 = fadd double %582, %731
+  %733 = load ptr, ptr %160, align 8
+  %734 = load ptr, ptr %360, align 8
+  %735 = insertelement <8 x double> poison, double %732, i64 0
+  %736 = shufflevector <8 x double> %735, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %736, ptr %734, align 8
+  %737 = load ptr, ptr %359, align 8
+  %738 = load ptr, ptr %361, align 8
+  %739 = load i64, ptr %362, align 8
+  %740 = load ptr, ptr %363, align 8
+  %741 = getelementptr inbounds i8, ptr %740, i64 24
+  %742 = load i64, ptr %741, align 8
+  %743 = load ptr, ptr %360, align 8
+  %744 = load ptr, ptr %364, align 8
+  %745 = getelementptr inbounds i8, ptr %744, i64 16
+  %746 = load i64, ptr %745, align 8
+  tail call fastcc void @nested(ptr noundef %733, ptr noundef %737, ptr noundef %738, i64 noundef %739, i64 noundef %742, ptr noundef %743, i64 noundef %746) #8
+  %747 = fmul double %732, %2
+  %748 = fadd double %747, %1
+  %749 = load ptr, ptr %161, align 8
+  store double %748, ptr %749, align 8
+  %750 = load ptr, ptr %6, align 8
+  %751 = getelementptr inbounds i8, ptr %750, i64 40
+  %752 = load i64, ptr %751, align 8
+  %753 = icmp eq i64 %752, 0
+  br i1 %753, label %755, label %754
+
+754:                                              ; preds = %730
+  tail call fastcc void @settle(ptr noundef nonnull %6) #8
+  br label %755
+
+755:                                              ; preds = %754, %730
+  %756 = load i64, ptr %162, align 8
+  %757 = icmp sgt i64 %756, 0
+  br i1 %757, label %758, label %759
+
+758:                                              ; preds = %755
+  tail call fastcc void @sample(ptr noundef nonnull %6) #8
+  br label %759
+
+759:                                              ; preds = %755, %758
+  %760 = load ptr, ptr %9, align 8
+  %761 = load i64, ptr %760, align 8
+  %762 = load ptr, ptr %163, align 8
+  %763 = load ptr, ptr %160, align 8
+  %764 = load ptr, ptr %164, align 8
+  %765 = load ptr, ptr %165, align 8
+  %766 = load ptr, ptr %25, align 8
+  %767 = getelementptr inbounds i8, ptr %760, i64 8
+  %768 = load i64, ptr %767, align 8
+  %769 = mul i64 %768, 56
+  %770 = getelementptr inbounds i8, ptr %766, i64 %769
+  %771 = inttoptr i64 %761 to ptr
+  %772 = load ptr, ptr %771, align 8
+  %773 = tail call i32 %772(ptr noundef %762, ptr noundef %763, ptr noundef %764, ptr noundef %765, ptr noundef %770) #9
+  %774 = icmp slt i32 %773, 0
+  br i1 %774, label %814, label %775
+
+775:                                              ; preds = %759
+  %776 = icmp sgt i64 %689, 0
+  br i1 %776, label %777, label %1016
+
+777:                                              ; preds = %775
+  %778 = fmul double %582, %2
+  %779 = fadd double %778, %1
+  %780 = fsub double %779, %779
+  br label %781
+
+781:                                              ; preds = %777, %811
+  %782 = phi i64 [ 0, %777 ], [ %812, %811 ]
+  %783 = load ptr, ptr %17, align 8
+  %784 = getelementptr inbounds i64, ptr %783, i64 %782
+  %785 = load i64, ptr %784, align 8
+  %786 = icmp sgt i64 %785, 0
+  br i1 %786, label %787, label %811
+
+787:                                              ; preds = %781
+  %788 = getelementptr inbounds double, ptr %691, i64 %782
+  %789 = load double, ptr %788, align 8
+  %790 = fcmp oeq double %789, 0.000000e+00
+  br i1 %790, label %791, label %811
+
+791:                                              ; preds = %787
+  %792 = getelementptr inbounds double, ptr %693, i64 %782
+  %793 = load double, ptr %792, align 8
+  %794 = fcmp oeq double %793, 0.000000e+00
+  br i1 %794, label %795, label %811
+
+795:                                              ; preds = %791
+  %796 = load i64, ptr %174, align 8
+  %797 = icmp eq i64 %796, 0
+  br i1 %797, label %811, label %798
+
+798:                                              ; preds = %795
+  %799 = load ptr, ptr %175, align 8
+  %800 = shl nsw i64 %782, 4
+  %801 = getelementptr inbounds i8, ptr %799, i64 %800
+  %802 = getelementptr inbounds i8, ptr %801, i64 8
+  %803 = load double, ptr %802, align 8
+  %804 = fcmp oeq double %803, %779
+  br i1 %804, label %810, label %805
+
+805:                                              ; preds = %798
+  %806 = load double, ptr %801, align 8
+  %807 = fsub double %803, %806
+  %808 = fcmp ult double %807, %780
+  br i1 %808, label %809, label %811
+
+809:                                              ; preds = %805
+  store double %779, ptr %801, align 8
+  br label %810
+
+810:                                              ; preds = %798, %809
+  store double %779, ptr %802, align 8
+  br label %811
+
+811:                                              ; preds = %810, %805, %795, %791, %787, %781
+  %812 = add nuw nsw i64 %782, 1
+  %813 = icmp eq i64 %812, %689
+  br i1 %813, label %1016, label %781, !llvm.loop !13
+
+814:                                              ; preds = %759
+  %815 = load ptr, ptr %20, align 8
+  %816 = getelementptr inbounds i8, ptr %815, i64 80
+  store i64 %23, ptr %816, align 8
+  %817 = load ptr, ptr %19, align 8
+  %818 = getelementptr inbounds i8, ptr %817, i64 48
+  store double 1.000000e+00, ptr %818, align 8
+  br label %1016
+
+819:                                              ; preds = %989, %589
+  %820 = load ptr, ptr %9, align 8
+  %821 = getelementptr inbounds i8, ptr %820, i64 8
+  %822 = load i64, ptr %821, align 8
+  %823 = load ptr, ptr %25, align 8
+  %824 = getelementptr inbounds double, ptr %823, i64 %822
+  %825 = mul i64 %822, 56
+  %826 = getelementptr inbounds i8, ptr %823, i64 %825
+  %827 = load ptr, ptr %182, align 8
+  %828 = load i64, ptr %183, align 8
+  %829 = getelementptr double, ptr %827, i64 %828
+  %830 = getelementptr i8, ptr %829, i64 -8
+  %831 = load double, ptr %830, align 8
+  %832 = load double, ptr %827, align 8
+  %833 = fsub double %831, %832
+  %834 = icmp sgt i64 %822, 0
+  br i1 %834, label %838, label %835
+
+835:                                              ; preds = %851, %819
+  %836 = phi i32 [ 0, %819 ], [ %853, %851 ]
+  %837 = icmp eq i32 %836, 0
+  br i1 %837, label %997, label %856
+
+838:                                              ; preds = %819, %851
+  %839 = phi i64 [ %854, %851 ], [ 0, %819 ]
+  %840 = phi i32 [ %853, %851 ], [ 0, %819 ]
+  %841 = icmp eq i32 %840, 0
+  br i1 %841, label %842, label %851
+
+842:                                              ; preds = %838
+  %843 = load ptr, ptr %17, align 8
+  %844 = getelementptr inbounds i64, ptr %843, i64 %839
+  %845 = load i64, ptr %844, align 8
+  %846 = icmp sgt i64 %845, 0
+  br i1 %846, label %847, label %851
+
+847:                                              ; preds = %842
+  %848 = getelementptr inbounds double, ptr %824, i64 %839
+  %849 = load double, ptr %848, align 8
+  %850 = fcmp oeq double %849, 0.000000e+00
+  br label %851
+
+851:                                              ; preds = %847, %842, %838
+  %852 = phi i1 [ true, %838 ], [ false, %842 ], [ %850, %847 ]
+  %853 = zext i1 %852 to i32
+  %854 = add nuw nsw i64 %839, 1
+  %855 = icmp eq i64 %854, %822
+  br i1 %855, label %835, label %838, !llvm.loop !12
+
+856:                                              ; preds = %835
+  %857 = fsub double %357, %582
+  %858 = fmul double %857, %2
+  %859 = fcmp ogt double %185, %833
+  %860 = select i1 %859, double %185, double %833
+  %861 = fmul double %860, 0x3F50000000000000
+  %862 = fcmp ugt double %858, %861
+  br i1 %862, label %863, label %997
+
+863:                                              ; preds = %856
+  %864 = fmul double %857, 0x3F50000000000000
+  %865 = fadd double %582, %864
+  %866 = load ptr, ptr %160, align 8
+  %867 = load ptr, ptr %360, align 8
+  %868 = insertelement <8 x double> poison, double %865, i64 0
+  %869 = shufflevector <8 x double> %868, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %869, ptr %867, align 8
+  %870 = load ptr, ptr %359, align 8
+  %871 = load ptr, ptr %361, align 8
+  %872 = load i64, ptr %362, align 8
+  %873 = load ptr, ptr %363, align 8
+  %874 = getelementptr inbounds i8, ptr %873, i64 24
+  %875 = load i64, ptr %874, align 8
+  %876 = load ptr, ptr %360, align 8
+  %877 = load ptr, ptr %364, align 8
+  %878 = getelementptr inbounds i8, ptr %877, i64 16
+  %879 = load i64, ptr %878, align 8
+  tail call fastcc void @nested(ptr noundef %866, ptr noundef %870, ptr noundef %871, i64 noundef %872, i64 noundef %875, ptr noundef %876, i64 noundef %879) #8
+  %880 = fmul double %865, %2
+  %881 = fadd double %880, %1
+  %882 = load ptr, ptr %161, align 8
+  store double %881, ptr %882, align 8
+  %883 = load ptr, ptr %6, align 8
+  %884 = getelementptr inbounds i8, ptr %883, i64 40
+  %885 = load i64, ptr %884, align 8
+  %886 = icmp eq i64 %885, 0
+  br i1 %886, label %888, label %887
+
+887:                                              ; preds = %863
+  tail call fastcc void @settle(ptr noundef nonnull %6) #8
+  br label %888
+
+888:                                              ; preds = %887, %863
+  %889 = load i64, ptr %162, align 8
+  %890 = icmp sgt i64 %889, 0
+  br i1 %890, label %891, label %892
+
+891:                                              ; preds = %888
+  tail call fastcc void @sample(ptr noundef nonnull %6) #8
+  br label %892
+
+892:                                              ; preds = %888, %891
+  %893 = load ptr, ptr %9, align 8
+  %894 = load i64, ptr %893, align 8
+  %895 = load ptr, ptr %163, align 8
+  %896 = load ptr, ptr %160, align 8
+  %897 = load ptr, ptr %164, align 8
+  %898 = load ptr, ptr %165, align 8
+  %899 = load ptr, ptr %25, align 8
+  %900 = getelementptr inbounds i8, ptr %893, i64 8
+  %901 = load i64, ptr %900, align 8
+  %902 = mul i64 %901, 56
+  %903 = getelementptr inbounds i8, ptr %899, i64 %902
+  %904 = inttoptr i64 %894 to ptr
+  %905 = load ptr, ptr %904, align 8
+  %906 = tail call i32 %905(ptr noundef %895, ptr noundef %896, ptr noundef %897, ptr noundef %898, ptr noundef %903) #9
+  %907 = icmp slt i32 %906, 0
+  br i1 %907, label %992, label %908
+
+908:                                              ; preds = %892
+  %909 = icmp sgt i64 %822, 0
+  br i1 %909, label %910, label %997
+
+910:                                              ; preds = %908
+  %911 = fmul double %582, %2
+  %912 = fadd double %911, %1
+  %913 = fsub double %912, %912
+  br label %914
+
+914:                                              ; preds = %910, %944
+  %915 = phi i64 [ 0, %910 ], [ %945, %944 ]
+  %916 = load ptr, ptr %17, align 8
+  %917 = getelementptr inbounds i64, ptr %916, i64 %915
+  %918 = load i64, ptr %917, align 8
+  %919 = icmp sgt i64 %918, 0
+  br i1 %919, label %920, label %944
+
+920:                                              ; preds = %914
+  %921 = getelementptr inbounds double, ptr %824, i64 %915
+  %922 = load double, ptr %921, align 8
+  %923 = fcmp oeq double %922, 0.000000e+00
+  br i1 %923, label %924, label %944
+
+924:                                              ; preds = %920
+  %925 = getelementptr inbounds double, ptr %826, i64 %915
+  %926 = load double, ptr %925, align 8
+  %927 = fcmp oeq double %926, 0.000000e+00
+  br i1 %927, label %928, label %944
+
+928:                                              ; preds = %924
+  %929 = load i64, ptr %186, align 8
+  %930 = icmp eq i64 %929, 0
+  br i1 %930, label %944, label %931
+
+931:                                              ; preds = %928
+  %932 = load ptr, ptr %187, align 8
+  %933 = shl nsw i64 %915, 4
+  %934 = getelementptr inbounds i8, ptr %932, i64 %933
+  %935 = getelementptr inbounds i8, ptr %934, i64 8
+  %936 = load double, ptr %935, align 8
+  %937 = fcmp oeq double %936, %912
+  br i1 %937, label %943, label %938
+
+938:                                              ; preds = %931
+  %939 = load double, ptr %934, align 8
+  %940 = fsub double %936, %939
+  %941 = fcmp ult double %940, %913
+  br i1 %941, label %942, label %944
+
+942:                                              ; preds = %938
+  store double %912, ptr %934, align 8
+  br label %943
+
+943:                                              ; preds = %931, %942
+  store double %912, ptr %935, align 8
+  br label %944
+
+944:                                              ; preds = %943, %938, %928, %924, %920, %914
+  %945 = add nuw nsw i64 %915, 1
+  %946 = icmp eq i64 %945, %822
+  br i1 %946, label %997, label %914, !llvm.loop !13
+
+947:                                              ; preds = %590, %989
+  %948 = phi i64 [ 0, %590 ], [ %990, %989 ]
+  %949 = getelementptr inbounds i64, ptr %18, i64 %948
+  %950 = load i64, ptr %949, align 8
+  %951 = icmp slt i64 %950, 1
+  br i1 %951, label %989, label %952
+
+952:                                              ; preds = %947
+  %953 = load ptr, ptr %20, align 8
+  %954 = getelementptr inbounds i8, ptr %953, i64 80
+  %955 = load i64, ptr %954, align 8
+  %956 = load ptr, ptr %6, align 8
+  %957 = getelementptr inbounds i8, ptr %956, i64 8
+  %958 = load i64, ptr %957, align 8
+  %959 = load i64, ptr %177, align 8
+  %960 = icmp eq i64 %959, 0
+  br i1 %960, label %985, label %961
+
+961:                                              ; preds = %952
+  %962 = load ptr, ptr %178, align 8
+  %963 = getelementptr inbounds double, ptr %962, i64 %955
+  store double %592, ptr %963, align 8
+  %964 = load ptr, ptr %179, align 8
+  %965 = getelementptr inbounds i64, ptr %964, i64 %955
+  store i64 %948, ptr %965, align 8
+  %966 = icmp sgt i64 %958, 0
+  br i1 %966, label %967, label %969
+
+967:                                              ; preds = %961
+  %968 = mul nsw i64 %958, %955
+  br label %973
+
+969:                                              ; preds = %973, %961
+  %970 = add nsw i64 %955, 1
+  %971 = load ptr, ptr %20, align 8
+  %972 = getelementptr inbounds i8, ptr %971, i64 80
+  store i64 %970, ptr %972, align 8
+  br label %985
+
+973:                                              ; preds = %967, %973
+  %974 = phi i64 [ 0, %967 ], [ %983, %973 ]
+  %975 = load ptr, ptr %160, align 8
+  %976 = getelementptr inbounds double, ptr %975, i64 %974
+  %977 = load double, ptr %976, align 8
+  %978 = load ptr, ptr %180, align 8
+  %979 = add nsw i64 %974, %968
+  %980 = getelementptr inbounds double, ptr %978, i64 %979
+  store double %977, ptr %980, align 8
+  %981 = load ptr, ptr %181, align 8
+  %982 = getelementptr inbounds double, ptr %981, i64 %979
+  store double %977, ptr %982, align 8
+  %983 = add nuw nsw i64 %974, 1
+  %984 = icmp eq i64 %983, %958
+  br i1 %984, label %969, label %973, !llvm.loop !14
+
+985:                                              ; preds = %952, %969
+  %986 = getelementptr inbounds i64, ptr %16, i64 %948
+  %987 = load i64, ptr %986, align 8
+  %988 = sub nsw i64 0, %987
+  store i64 %988, ptr %986, align 8
+  br label %989
+
+989:                                              ; preds = %947, %985
+  %990 = add nuw nsw i64 %948, 1
+  %991 = icmp eq i64 %990, %12
+  br i1 %991, label %819, label %947, !llvm.loop !15
+
+992:                                              ; preds = %892
+  %993 = load ptr, ptr %20, align 8
+  %994 = getelementptr inbounds i8, ptr %993, i64 80
+  store i64 %23, ptr %994, align 8
+  %995 = load ptr, ptr %19, align 8
+  %996 = getelementptr inbounds i8, ptr %995, i64 48
+  store double 1.000000e+00, ptr %996, align 8
+  br label %1016
+
+997:                                              ; preds = %944, %908, %856, %835
+  %998 = icmp sgt i64 %586, -1
+  br i1 %998, label %999, label %1008
+
+999:                                              ; preds = %997
+  br i1 %190, label %1001, label %1000
+
+1000:                                             ; preds = %1001, %999
+  store double %582, ptr %191, align 8
+  br label %1016
+
+1001:                                             ; preds = %999, %1001
+  %1002 = phi i64 [ %1006, %1001 ], [ 0, %999 ]
+  %1003 = icmp eq i64 %1002, %586
+  %1004 = zext i1 %1003 to i64
+  %1005 = getelementptr inbounds i64, ptr %18, i64 %1002
+  store i64 %1004, ptr %1005, align 8
+  %1006 = add nuw nsw i64 %1002, 1
+  %1007 = icmp eq i64 %1006, %12
+  br i1 %1007, label %1000, label %1001, !llvm.loop !16
+
+1008:                                             ; preds = %997
+  %1009 = load i64, ptr %188, align 8
+  %1010 = icmp sgt i64 %1009, 0
+  br i1 %1010, label %1011, label %1016
+
+1011:                                             ; preds = %1008
+  %1012 = load i64, ptr %22, align 8
+  %1013 = add nsw i64 %1012, %12
+  %1014 = icmp sgt i64 %1013, %1009
+  br i1 %1014, label %1015, label %1016
+
+1015:                                             ; preds = %1011
+  store double %582, ptr %189, align 8
+  br label %1016
+
+1016:                                             ; preds = %811, %775, %723, %702, %992, %1000, %1015, %814, %1011, %1008, %368, %579, %459
+  %1017 = phi i32 [ 1, %459 ], [ %581, %579 ], [ 11, %368 ], [ 1, %992 ], [ 1, %1000 ], [ 1, %1015 ], [ 1, %814 ], [ 0, %1011 ], [ 0, %1008 ], [ 1, %702 ], [ 1, %723 ], [ 1, %775 ], [ 1, %811 ]
+  %1018 = phi double [ %366, %459 ], [ %366, %579 ], [ %366, %368 ], [ %366, %992 ], [ %366, %1000 ], [ %366, %1015 ], [ %366, %814 ], [ %582, %1011 ], [ %582, %1008 ], [ %366, %702 ], [ %366, %723 ], [ %366, %775 ], [ %366, %811 ]
+  %1019 = phi i64 [ -4, %459 ], [ %583, %579 ], [ %367, %368 ], [ -4, %992 ], [ 21, %1000 ], [ -3, %1015 ], [ -4, %814 ], [ %583, %1011 ], [ %583, %1008 ], [ -2, %702 ], [ -2, %723 ], [ -2, %775 ], [ -2, %811 ]
+  switch i32 %1017, label %1101 [
+    i32 0, label %365
+    i32 11, label %1020
+  ], !llvm.loop !17
+
+1020:                                             ; preds = %1016
+  br i1 %192, label %1021, label %1101
+
+1021:                                             ; preds = %1020
+  %1022 = icmp ult i32 %199, 5
+  %1023 = zext nneg i32 %199 to i64
+  %1024 = getelementptr inbounds [5 x double], ptr @scan_points, i64 0, i64 %1023
+  %1025 = add nsw i32 %199, -1
+  %1026 = sext i32 %1025 to i64
+  %1027 = mul nsw i64 %12, %1026
+  %1028 = getelementptr double, ptr %28, i64 %1027
+  %1029 = mul nuw nsw i64 %12, %1023
+  %1030 = getelementptr double, ptr %28, i64 %1029
+  %1031 = getelementptr inbounds [5 x double], ptr @scan_points, i64 0, i64 %1026
+  %1032 = fmul double %357, %2
+  %1033 = fadd double %1032, %1
+  br label %1034
+
+1034:                                             ; preds = %1021, %1092
+  %1035 = phi i64 [ 0, %1021 ], [ %1093, %1092 ]
+  %1036 = getelementptr inbounds double, ptr %358, i64 %1035
+  %1037 = load double, ptr %1036, align 8
+  %1038 = getelementptr inbounds i64, ptr %16, i64 %1035
+  %1039 = load i64, ptr %1038, align 8
+  %1040 = sitofp i64 %1039 to double
+  %1041 = fmul double %1037, %1040
+  %1042 = fcmp olt double %1041, 0.000000e+00
+  br i1 %1042, label %1043, label %1049
+
+1043:                                             ; preds = %1034
+  %1044 = call fastcc i32 @departs(ptr noundef nonnull %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, double noundef %1018, double noundef %357, double noundef %1037, i64 noundef %1035) #8
+  %1045 = icmp eq i32 %1044, 0
+  br i1 %1045, label %1046, label %1049
+
+1046:                                             ; preds = %1043
+  %1047 = load i64, ptr %1038, align 8
+  %1048 = sub nsw i64 0, %1047
+  br label %1058
+
+1049:                                             ; preds = %1043, %1034
+  %1050 = load i64, ptr %1038, align 8
+  %1051 = icmp eq i64 %1050, 0
+  br i1 %1051, label %1052, label %1060
+
+1052:                                             ; preds = %1049
+  %1053 = load double, ptr %1036, align 8
+  %1054 = fcmp ogt double %1053, 0.000000e+00
+  %1055 = fcmp olt double %1053, 0.000000e+00
+  %1056 = sext i1 %1055 to i64
+  %1057 = select i1 %1054, i64 1, i64 %1056
+  br label %1058
+
+1058:                                             ; preds = %1046, %1052
+  %1059 = phi i64 [ %1057, %1052 ], [ %1048, %1046 ]
+  store i64 %1059, ptr %1038, align 8
+  br label %1060
+
+1060:                                             ; preds = %1058, %1049
+  br i1 %1022, label %1061, label %1092
+
+1061:                                             ; preds = %1060
+  %1062 = load double, ptr %1024, align 8
+  %1063 = fcmp oeq double %357, %1062
+  br i1 %1063, label %1064, label %1092
+
+1064:                                             ; preds = %1061
+  %1065 = getelementptr double, ptr %1028, i64 %1035
+  %1066 = load double, ptr %1065, align 8
+  %1067 = fcmp oeq double %1066, 0.000000e+00
+  br i1 %1067, label %1068, label %1092
+
+1068:                                             ; preds = %1064
+  %1069 = getelementptr double, ptr %1030, i64 %1035
+  %1070 = load double, ptr %1069, align 8
+  %1071 = fcmp oeq double %1070, 0.000000e+00
+  br i1 %1071, label %1072, label %1092
+
+1072:                                             ; preds = %1068
+  %1073 = load double, ptr %1031, align 8
+  %1074 = fmul double %1073, %2
+  %1075 = fadd double %1074, %1
+  %1076 = load i64, ptr %193, align 8
+  %1077 = icmp eq i64 %1076, 0
+  br i1 %1077, label %1092, label %1078
+
+1078:                                             ; preds = %1072
+  %1079 = load ptr, ptr %194, align 8
+  %1080 = shl nsw i64 %1035, 4
+  %1081 = getelementptr inbounds i8, ptr %1079, i64 %1080
+  %1082 = getelementptr inbounds i8, ptr %1081, i64 8
+  %1083 = load double, ptr %1082, align 8
+  %1084 = fcmp oeq double %1083, %1075
+  br i1 %1084, label %1091, label %1085
+
+1085:                                             ; preds = %1078
+  %1086 = load double, ptr %1081, align 8
+  %1087 = fsub double %1083, %1086
+  %1088 = fsub double %1033, %1075
+  %1089 = fcmp ult double %1087, %1088
+  br i1 %1089, label %1090, label %1092
+
+1090:                                             ; preds = %1085
+  store double %1075, ptr %1081, align 8
+  br label %1091
+
+1091:                                             ; preds = %1078, %1090
+  store double %1033, ptr %1082, align 8
+  br label %1092
+
+1092:                                             ; preds = %1091, %1085, %1072, %1060, %1061, %1064, %1068
+  %1093 = add nuw nsw i64 %1035, 1
+  %1094 = icmp eq i64 %1093, %12
+  br i1 %1094, label %1101, label %1034, !llvm.loop !18
+
+1095:                                             ; preds = %344, %305, %241
+  %1096 = phi double [ %198, %241 ], [ %258, %305 ], [ %258, %344 ]
+  %1097 = load ptr, ptr %20, align 8
+  %1098 = getelementptr inbounds i8, ptr %1097, i64 80
+  store i64 %23, ptr %1098, align 8
+  %1099 = load ptr, ptr %19, align 8
+  %1100 = getelementptr inbounds i8, ptr %1099, i64 48
+  store double 1.000000e+00, ptr %1100, align 8
+  br label %1101
+
+1101:                                             ; preds = %1016, %1092, %1095, %1020
+  %1102 = phi i32 [ 0, %1020 ], [ 1, %1095 ], [ 0, %1092 ], [ %1017, %1016 ]
+  %1103 = phi double [ %357, %1020 ], [ %1096, %1095 ], [ %357, %1092 ], [ %1018, %1016 ]
+  %1104 = phi i64 [ %1019, %1020 ], [ -4, %1095 ], [ %1019, %1092 ], [ %1019, %1016 ]
+  %1105 = icmp eq i32 %1102, 0
+  br i1 %1105, label %1106, label %1111
+
+1106:                                             ; preds = %1101
+  %1107 = fcmp oeq double %1103, %203
+  %1108 = zext i1 %1107 to i32
+  %1109 = add nuw nsw i32 %199, %1108
+  %1110 = icmp ugt i32 %1109, %133
+  br i1 %1110, label %1111, label %195, !llvm.loop !19
+
+1111:                                             ; preds = %1106, %1101
+  %1112 = phi i1 [ %1110, %1106 ], [ %196, %1101 ]
+  br i1 %1112, label %1113, label %1131
+
+1113:                                             ; preds = %1111
+  %1114 = icmp sgt i64 %12, 0
+  br i1 %1114, label %1115, label %1118
+
+1115:                                             ; preds = %1113
+  %1116 = shl i64 %12, 5
+  %1117 = getelementptr i8, ptr %28, i64 %1116
+  br label %1120
+
+1118:                                             ; preds = %1120, %1113
+  %1119 = load double, ptr %24, align 8
+  store double %1119, ptr %30, align 8
+  br label %1127
+
+1120:                                             ; preds = %1115, %1120
+  %1121 = phi i64 [ 0, %1115 ], [ %1125, %1120 ]
+  %1122 = getelementptr double, ptr %1117, i64 %1121
+  %1123 = load double, ptr %1122, align 8
+  %1124 = getelementptr inbounds double, ptr %28, i64 %1121
+  store double %1123, ptr %1124, align 8
+  %1125 = add nuw nsw i64 %1121, 1
+  %1126 = icmp eq i64 %1125, %12
+  br i1 %1126, label %1118, label %1120, !llvm.loop !20
+
+1127:                                             ; preds = %1118, %125, %98
+  %1128 = phi ptr [ %101, %98 ], [ %128, %125 ], [ %24, %1118 ]
+  %1129 = phi i64 [ -4, %98 ], [ -4, %125 ], [ 0, %1118 ]
+  %1130 = getelementptr inbounds i8, ptr %1128, i64 48
+  store double 1.000000e+00, ptr %1130, align 8
+  br label %1131
+
+1131:                                             ; preds = %1127, %106, %1111
+  %1132 = phi i64 [ %107, %106 ], [ %1104, %1111 ], [ %1129, %1127 ]
+  ret i64 %1132
 }
 
 
@@ -2114,7 +2137,7 @@ define internal fastcc double @locate(ptr noundef readonly %0, ptr noundef reado
 44:                                               ; preds = %7
   %45 = load double, ptr %8, align 8
   %46 = tail call fastcc double @turning_place(ptr noundef %0, ptr noundef %1, double noundef %2, double noundef %3, double noundef %45, double noundef %5, double noundef %22, i64 noundef %6) #8
-  br label %113
+  br label %244
 
 47:                                               ; preds = %32, %91
   %48 = phi double [ %34, %32 ], [ %108, %91 ]
@@ -2203,48 +2226,199 @@ define internal fastcc double @locate(ptr noundef readonly %0, ptr noundef reado
   %112 = phi double [ %49, %52 ], [ %109, %91 ], [ %49, %47 ]
   store double %112, ptr %9, align 8
   store double %111, ptr %8, align 8
-  br label %113
+  %113 = getelementptr inbounds i8, ptr %0, i64 144
+  %114 = getelementptr inbounds i8, ptr %0, i64 1032
+  %115 = load ptr, ptr %114, align 8
+  %116 = getelementptr inbounds i8, ptr %1, i64 16
+  %117 = load ptr, ptr %116, align 8
+  %118 = getelementptr inbounds i8, ptr %117, i64 96
+  %119 = load ptr, ptr %118, align 8
+  %120 = insertelement <8 x double> poison, double %112, i64 0
+  %121 = shufflevector <8 x double> %120, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %121, ptr %119, align 8
+  %122 = load ptr, ptr %117, align 8
+  %123 = getelementptr inbounds i8, ptr %117, i64 192
+  %124 = load ptr, ptr %123, align 8
+  %125 = getelementptr inbounds i8, ptr %117, i64 8
+  %126 = load i64, ptr %125, align 8
+  %127 = load ptr, ptr %1, align 8
+  %128 = load ptr, ptr %127, align 8
+  %129 = getelementptr inbounds i8, ptr %128, i64 24
+  %130 = load i64, ptr %129, align 8
+  %131 = load ptr, ptr %118, align 8
+  %132 = getelementptr inbounds i8, ptr %1, i64 8
+  %133 = load ptr, ptr %132, align 8
+  %134 = load ptr, ptr %133, align 8
+  %135 = getelementptr inbounds i8, ptr %134, i64 16
+  %136 = load i64, ptr %135, align 8
+  tail call fastcc void @nested(ptr noundef %115, ptr noundef %122, ptr noundef %124, i64 noundef %126, i64 noundef %130, ptr noundef %131, i64 noundef %136) #8
+  %137 = fmul double %112, %3
+  %138 = fadd double %137, %2
+  %139 = getelementptr inbounds i8, ptr %0, i64 168
+  %140 = load ptr, ptr %139, align 8
+  store double %138, ptr %140, align 8
+  %141 = load ptr, ptr %113, align 8
+  %142 = getelementptr inbounds i8, ptr %141, i64 40
+  %143 = load i64, ptr %142, align 8
+  %144 = icmp eq i64 %143, 0
+  br i1 %144, label %146, label %145
 
-113:                                              ; preds = %110, %44
-  %114 = phi double [ %112, %110 ], [ %46, %44 ]
-  ret double %114
+145:                                              ; preds = %110
+  tail call fastcc void @settle(ptr noundef nonnull %113) #8
+  br label %146
+
+146:                                              ; preds = %145, %110
+  %147 = getelementptr inbounds i8, ptr %0, i64 248
+  %148 = load i64, ptr %147, align 8
+  %149 = icmp sgt i64 %148, 0
+  br i1 %149, label %150, label %151
+
+150:                                              ; preds = %146
+  tail call fastcc void @sample(ptr noundef nonnull %113) #8
+  br label %151
+
+151:                                              ; preds = %146, %150
+  %152 = load ptr, ptr %10, align 8
+  %153 = load i64, ptr %152, align 8
+  %154 = getelementptr inbounds i8, ptr %0, i64 168
+  %155 = load ptr, ptr %154, align 8
+  %156 = load ptr, ptr %114, align 8
+  %157 = getelementptr inbounds i8, ptr %0, i64 192
+  %158 = load ptr, ptr %157, align 8
+  %159 = getelementptr inbounds i8, ptr %0, i64 792
+  %160 = load ptr, ptr %159, align 8
+  %161 = load ptr, ptr %23, align 8
+  %162 = getelementptr inbounds i8, ptr %152, i64 8
+  %163 = load i64, ptr %162, align 8
+  %164 = getelementptr inbounds double, ptr %161, i64 %163
+  %165 = inttoptr i64 %153 to ptr
+  %166 = load ptr, ptr %165, align 8
+  %167 = tail call i32 %166(ptr noundef %155, ptr noundef %156, ptr noundef %158, ptr noundef %160, ptr noundef %164) #9
+  %168 = load double, ptr %29, align 8
+  %169 = getelementptr inbounds i8, ptr %0, i64 864
+  %170 = load ptr, ptr %169, align 8
+  %171 = getelementptr inbounds i64, ptr %170, i64 %6
+  %172 = load i64, ptr %171, align 8
+  %173 = and i64 %172, 32
+  %174 = icmp eq i64 %173, 0
+  br i1 %174, label %175, label %244
+
+175:                                              ; preds = %151
+  %176 = load ptr, ptr %114, align 8
+  %177 = load ptr, ptr %116, align 8
+  %178 = getelementptr inbounds i8, ptr %177, i64 96
+  %179 = load ptr, ptr %178, align 8
+  store <8 x double> %121, ptr %179, align 8
+  %180 = load ptr, ptr %177, align 8
+  %181 = getelementptr inbounds i8, ptr %177, i64 192
+  %182 = load ptr, ptr %181, align 8
+  %183 = getelementptr inbounds i8, ptr %177, i64 8
+  %184 = load i64, ptr %183, align 8
+  %185 = load ptr, ptr %1, align 8
+  %186 = load ptr, ptr %185, align 8
+  %187 = getelementptr inbounds i8, ptr %186, i64 24
+  %188 = load i64, ptr %187, align 8
+  %189 = load ptr, ptr %178, align 8
+  %190 = load ptr, ptr %132, align 8
+  %191 = load ptr, ptr %190, align 8
+  %192 = getelementptr inbounds i8, ptr %191, i64 16
+  %193 = load i64, ptr %192, align 8
+  tail call fastcc void @nested(ptr noundef %176, ptr noundef %180, ptr noundef %182, i64 noundef %184, i64 noundef %188, ptr noundef %189, i64 noundef %193) #8
+  %194 = load ptr, ptr %139, align 8
+  store double %138, ptr %194, align 8
+  %195 = load ptr, ptr %113, align 8
+  %196 = getelementptr inbounds i8, ptr %195, i64 40
+  %197 = load i64, ptr %196, align 8
+  %198 = icmp eq i64 %197, 0
+  br i1 %198, label %200, label %199
+
+199:                                              ; preds = %175
+  tail call fastcc void @settle(ptr noundef nonnull %113) #8
+  br label %200
+
+200:                                              ; preds = %199, %175
+  %201 = load i64, ptr %147, align 8
+  %202 = icmp sgt i64 %201, 0
+  br i1 %202, label %203, label %204
+
+203:                                              ; preds = %200
+  tail call fastcc void @sample(ptr noundef nonnull %113) #8
+  br label %204
+
+204:                                              ; preds = %203, %200
+  %205 = load ptr, ptr %10, align 8
+  %206 = getelementptr inbounds i8, ptr %205, i64 56
+  %207 = load i64, ptr %206, align 8
+  %208 = load ptr, ptr %154, align 8
+  %209 = load ptr, ptr %114, align 8
+  %210 = load ptr, ptr %157, align 8
+  %211 = getelementptr inbounds i8, ptr %0, i64 1152
+  %212 = load ptr, ptr %211, align 8
+  %213 = getelementptr inbounds i8, ptr %0, i64 1200
+  %214 = load ptr, ptr %213, align 8
+  %215 = inttoptr i64 %207 to ptr
+  %216 = load ptr, ptr %215, align 8
+  %217 = tail call i32 %216(ptr noundef %208, ptr noundef %209, ptr noundef %210, ptr noundef %212, ptr noundef %214) #9
+  %218 = icmp eq i32 %217, 0
+  br i1 %218, label %219, label %244
+
+219:                                              ; preds = %204
+  %220 = load ptr, ptr %213, align 8
+  %221 = getelementptr inbounds double, ptr %220, i64 %6
+  %222 = load double, ptr %221, align 8
+  %223 = load ptr, ptr %11, align 8
+  %224 = getelementptr inbounds i64, ptr %223, i64 %6
+  %225 = load i64, ptr %224, align 8
+  %226 = sitofp i64 %225 to double
+  %227 = fmul double %222, %226
+  %228 = fcmp ule double %227, 0.000000e+00
+  br i1 %228, label %244, label %229
+
+229:                                              ; preds = %219
+  %230 = fcmp oeq double %168, 0.000000e+00
+  br i1 %230, label %242, label %231
+
+231:                                              ; preds = %229
+  %232 = load ptr, ptr %213, align 8
+  %233 = load ptr, ptr %10, align 8
+  %234 = getelementptr inbounds i8, ptr %233, i64 8
+  %235 = load i64, ptr %234, align 8
+  %236 = getelementptr double, ptr %232, i64 %235
+  %237 = getelementptr double, ptr %236, i64 %6
+  %238 = load double, ptr %237, align 8
+  %239 = tail call double @llvm.fabs.f64(double %168)
+  %240 = fmul double %238, 0x3CE0000000000000
+  %241 = fcmp ugt double %239, %240
+  br i1 %241, label %244, label %242
+
+242:                                              ; preds = %229, %231
+  %243 = tail call fastcc double @turning_place(ptr noundef %0, ptr noundef nonnull %1, double noundef %2, double noundef %3, double noundef %112, double noundef %5, double noundef %22, i64 noundef %6) #8
+  br label %244
+
+244:                                              ; preds = %219, %151, %204, %231, %242, %44
+  %245 = phi double [ %243, %242 ], [ %46, %44 ], [ %112, %231 ], [ %112, %204 ], [ %112, %151 ], [ %112, %219 ]
+  ret double %245
 }
 
 define internal fastcc range(i32 0, 2) i32 @departs(ptr noundef readonly %0, ptr noundef readonly %1, double noundef %2, double noundef %3, double noundef %4, double noundef %5, double noundef %6, i64 noundef %7) unnamed_addr #2 {
-  %9 = alloca double, align 8
-  %10 = alloca double, align 8
-  store double %4, ptr %9, align 8
-  store double %5, ptr %10, align 8
-  %11 = fadd double %2, %3
-  %12 = tail call double @llvm.fabs.f64(double %11)
-  %13 = tail call double @llvm.fabs.f64(double %2)
-  %14 = fcmp ogt double %12, %13
-  %15 = select i1 %14, double %12, double %13
-  %16 = fmul double %15, 0x3CB0000000000000
-  %17 = fdiv double %16, %3
-  %18 = getelementptr inbounds i8, ptr %0, i64 936
-  %19 = load ptr, ptr %18, align 8
-  %20 = getelementptr inbounds i64, ptr %19, i64 %7
-  %21 = load i64, ptr %20, align 8
-  %22 = sitofp i64 %21 to double
-  %23 = fmul double %22, %6
-  %24 = fcmp olt double %23, 0.000000e+00
-  br i1 %24, label %25, label %32
+  %9 = getelementptr inbounds i8, ptr %0, i64 936
+  %10 = load ptr, ptr %9, align 8
+  %11 = getelementptr inbounds i64, ptr %10, i64 %7
+  %12 = load i64, ptr %11, align 8
+  %13 = sitofp i64 %12 to double
+  %14 = fmul double %13, %6
+  %15 = fcmp olt double %14, 0.000000e+00
+  br i1 %15, label %16, label %20
 
-25:                                               ; preds = %8
-  %26 = call fastcc i32 @comes_to_side(ptr noundef %0, ptr noundef %1, double noundef %2, double noundef %3, ptr noundef nonnull %9, ptr noundef nonnull %10, double noundef %17, i64 noundef %7) #8
-  %27 = icmp eq i32 %26, 0
-  br i1 %27, label %28, label %32
+16:                                               ; preds = %8
+  %17 = tail call fastcc double @locate(ptr noundef %0, ptr noundef %1, double noundef %2, double noundef %3, double noundef %4, double noundef %5, i64 noundef %7) #8
+  %18 = fcmp oeq double %17, 2.000000e+00
+  %19 = zext i1 %18 to i32
+  br label %20
 
-28:                                               ; preds = %25
-  %29 = tail call fastcc double @turning_place(ptr noundef %0, ptr noundef %1, double noundef %2, double noundef %3, double noundef %4, double noundef %5, double noundef %17, i64 noundef %7) #8
-  %30 = fcmp oeq double %29, 2.000000e+00
-  %31 = zext i1 %30 to i32
-  br label %32
-
-32:                                               ; preds = %28, %25, %8
-  %33 = phi i32 [ 0, %25 ], [ 0, %8 ], [ %31, %28 ]
-  ret i32 %33
+20:                                               ; preds = %16, %8
+  %21 = phi i32 [ 0, %8 ], [ %19, %16 ]
+  ret i32 %21
 }
 
 define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, i64 noundef %3, i64 noundef %4, ptr noundef readonly %5, i64 noundef %6) unnamed_addr #3 {
@@ -3129,6 +3303,8 @@ define internal fastcc double @turning_place(ptr noundef readonly %0, ptr nounde
 154:                                              ; preds = %150
   ret double %151
 }
+
+declare i32 @llvm.umin.i32(i32, i32) #6
 
 declare i32 @llvm.smin.i32(i32, i32) #6
 

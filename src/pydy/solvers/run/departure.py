@@ -13,7 +13,7 @@ import numpy as np
 
 from pydy._kernel import KernelCall
 from pydy.solvers.compiled_events import CompiledEvents
-from pydy.solvers.tuning import HALVINGS, ROUNDING, ROUNDINGS
+from pydy.solvers.tuning import HALVINGS, LOW, ROUNDING, ROUNDINGS
 
 
 def on_surface(values: Any, bounds: Any) -> Any:
@@ -45,17 +45,25 @@ def departure(
 ) -> int:
     """Return the sign of an event's expression just after t: −1, 1, or 0 if it stays zero.
 
-    It is that of the rate. If the rate is zero, one step of the classical Runge–Kutta method
-    decides: the shortest of 52 sizes, each half of the previous one, after which the expression
-    exceeds its roundings. Its error is of fifth order, so that derivatives up to the fourth count.
+    It is that of the rate, or where that is zero the `resolved_side`.
     """
     if not is_stationary(call, events, event, x, t, span):
         rate = float(events.rates_at(call, x, t, span)[event])
         return int(np.sign(rate)) if np.isfinite(rate) else 0
-    side, k, size = 0, len(events.traits), span
+    return resolved_side(call, events, event, x, t, span)
+
+
+def resolved_side(
+    call: KernelCall, events: CompiledEvents, event: int, x: np.ndarray, t: float, span: float
+) -> int:
+    """Return the sign that an event's expression has where it first exceeds its roundings, or 0.
+
+    One step of the classical Runge–Kutta method decides, the shortest of 52 sizes, each double the
+    previous one. Its error is of fifth order, so that derivatives up to the fourth count.
+    """
+    k, size = len(events.traits), span * 0.5**HALVINGS
     with np.errstate(all="ignore"):
         for _ in range(HALVINGS):
-            size *= 0.5
             a = call(x, t)
             b = call(x + 0.5 * size * a, t + 0.5 * size)
             c = call(x + 0.5 * size * b, t + 0.5 * size)
@@ -64,8 +72,34 @@ def departure(
             value = float(call.evaluate(events.values, after, t + size)[event])
             bound = float(call.evaluate(events.rates, after, t + size)[k + event])
             if abs(value) > ROUNDINGS * ROUNDING * bound:
-                side = 1 if value > 0.0 else -1
-    return side
+                return 1 if value > 0.0 else -1
+            size *= 2.0
+    return 0
+
+
+def is_unresolved(
+    call: KernelCall,
+    events: CompiledEvents,
+    event: int,
+    x: np.ndarray,
+    t: float,
+    span: float,
+    side: int,
+    flight: float,
+) -> bool:
+    """Return whether the rate of an event that has happened does not tell where its reset leads.
+
+    It is zero, or the expression comes back from the `side` that it tells before it exceeds its
+    roundings. Then a crossing is one of roundings, at which a reset may lead through the surface.
+    The last `flight` is the time since the event happened before.
+    """
+    if is_stationary(call, events, event, x, t, span):
+        return True
+    rates = events.rates_at(call, x, t, span)
+    rate, bound = map(float, rates[[event, len(events.traits) + event]])
+    if not abs(rate) * flight <= LOW * ROUNDINGS * ROUNDING * bound:
+        return False
+    return resolved_side(call, events, event, x, t, span) == -side != 0
 
 
 def follows_itself(side: int, origin: int, direction: int) -> bool:

@@ -42,7 +42,9 @@ from pydy.solvers.run.departure import (
     follows_itself,
     happens_at_start,
     is_stationary,
+    is_unresolved,
     on_surface,
+    resolved_side,
 )
 from pydy.solvers.run.shipped import function_of, stepper
 from pydy.solvers.run.workspace import Workspace, WorkspaceCopy
@@ -506,12 +508,9 @@ class Integration(Workspace):
         latest, least = self.watch.latest, NO_LATER * ROUNDING * max(abs(t), self.span)
         for k in fired:
             event = events.traits[k]
-            if (
-                k in zero
-                and event.redirects
-                and is_stationary(call, events, k, before, t, self.span)
-            ):
-                side = departure(call, events, k, before, t, self.span)
+            place, led = (call, events, k, before, t, self.span), int(self.watch.sides[k])
+            if k in zero and event.redirects and is_unresolved(*place, led, t - latest[k, 1]):
+                side = resolved_side(*place)
                 if follows_itself(side, int(origins[k]), event.direction):
                     self._end(Outcome.EVENTS_ACCUMULATE, event=event.name)
                     return True

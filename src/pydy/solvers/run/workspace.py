@@ -416,12 +416,16 @@ class Workspace:
         rows = 256 + number if number else 0  # between two returns to Python
         # Events do not shorten steps of fixed size.
         fixed = self.options.step is not None
+        driven = events.input_rates is not None and not (
+            self.call is None or self.call.inputs.constant
+        )
         kinds = [
             at.LINEAR * (event.linear or fixed)
             + at.TURNS * event.turns
             + at.RESETS * (event.resets and not event.terminal)
             + at.STOPS * (event.terminal and not event.resets)
             + at.REDIRECTS * event.redirects
+            + at.DRIVEN * driven
             for event in events.traits
         ]
         reacher, reach, reach_c = [0, 0, 0], np.zeros(1), np.zeros(1)
