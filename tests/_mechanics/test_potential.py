@@ -635,3 +635,31 @@ def test_springs_of_a_long_chain_in_relative_coordinates_take_no_cubic_time():
     few, twice, four_times = calls
     assert twice < 3 * few  # each doubling of n² would be 4, of n³ 8
     assert four_times < 3 * twice
+
+
+@pytest.mark.parametrize("of_weight", [0, 1])
+@pytest.mark.parametrize("shift", [0, 3])
+def test_a_given_potential_is_used_if_the_power_of_the_loads_agrees(plane, of_weight, shift):
+    frame, _, place = plane
+    spring, weight = K * (Q[0] - 2 * Q[1]) ** 2 / 2, M * G * Q[1]
+    loads = [
+        (place, sum((-spring.diff(q) * e for q, e in zip(Q, frame, strict=False)), 0 * frame.x))
+    ]
+    definition = Definition(
+        frame,
+        Q,
+        U,
+        bodies=[me.Particle("P", place, M)],
+        loads=[*loads, (place, -M * G * frame.y)],
+        potential_energy=spring + of_weight * weight + shift * Q[0],
+    )
+    found = find_potential(equations_of_definition(definition))
+    assert not found.unknown
+    assert sm.expand(found.expression - spring - weight) == 0  # not expanded, as it was given
+    assert found.expression.has((Q[0] - 2 * Q[1]) ** 2) == (not shift)
+
+
+def test_a_given_potential_must_be_an_expression(plane):
+    frame, _, place = plane
+    with pytest.raises(ValueError, match="`potential_energy`, an expression or a number, must be"):
+        Definition(frame, Q, U, bodies=[me.Particle("P", place, M)], potential_energy="k")

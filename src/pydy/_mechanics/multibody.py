@@ -34,6 +34,8 @@ class Multibody:
     auxiliary: tuple[TimeFunction, ...] = ()  # auxiliary speeds
     # In place of bodies; the speeds are then the derivatives of the coordinates.
     lagrangian: sm.Expr | None = None
+    # The potential energy of the loads, or of those that are not constant; to be verified.
+    potential: sm.Expr | None = None
     activations: tuple[TimeFunction, ...] = ()  # states of musculotendons that are specifieds here
     # The properties of the bodies when they were read: SymPy lets users change them.
     snapshots: tuple[tuple[Body, tuple[Any, ...]], ...] = ()

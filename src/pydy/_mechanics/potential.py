@@ -155,6 +155,8 @@ class _PotentialSearch:
         """Return the potential of all loads that do work, verified; or what has none, and why."""
         loads = [load for load in self.mechanism.loads if self._does_work(load[0])]
         loads = [load for load in loads if not self._recognise_constant_load(*load)]
+        if (given := self._given_potential(loads)) is not None:
+            return Potential(given)
         terms = [
             term
             for location, vector in self._recognise_central_forces(loads)
@@ -193,6 +195,25 @@ class _PotentialSearch:
             )
         advice = [_NO_PLACE] * bool(unlocated) + [_NO_INTEGRAL] * (len(unknown) > len(unlocated))
         return Potential(load_energy, _names(unknown), " ".join(advice))
+
+    def _given_potential(self, loads: Sequence[Load]) -> sm.Expr | None:
+        """Return the potential of the multibody's definition if the power of all loads agrees.
+
+        `loads` are those that are not constant. The forms below recognise many springs of robots
+        only after long integrations, or not at all, since products of decimals do not cancel.
+        """
+        multibody = self.equations.multibody
+        if multibody is None or multibody.potential is None:
+            return None
+        remaining = [term for load in loads for term in self._terms(*load)]
+        powers = [p for _, p in self.recognised]
+        powers += [self._power(term.location, term.vector) for term in remaining]
+        given = self.equations.kinematics.in_states(multibody.potential)
+        of_constant_loads = sm.Add(*(energy for energy, _ in self.recognised))
+        for candidate in (of_constant_loads + given, given):
+            if is_potential_of(self.equations, candidate, powers):
+                return candidate
+        return None
 
     def _velocity(self, location: Location) -> Vector:
         if isinstance(location, Point):

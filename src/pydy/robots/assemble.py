@@ -87,6 +87,7 @@ class RobotAssembly:
         self._used_names: set[str] = {"t"}
         self._bodies: list[Body] = []
         self._loads: list[Load] = []
+        self._energies: list[sm.Expr] = []  # potential energies of springs and actuators
         # Steps from the parent's frame to that of each link, in the order of `link_frames`.
         self._steps: list[list[_Step]] = [[]]
         self._parents: list[int | None] = [None]
@@ -324,7 +325,9 @@ class RobotAssembly:
         q, u, force = axis.coordinate, axis.speed, sm.S.Zero
         if joint.stiffness:
             stretch = q - _exact(joint.relaxed)
-            force -= self._number("stiffness", joint.name, joint.stiffness) * stretch
+            stiffness = self._number("stiffness", joint.name, joint.stiffness)
+            force -= stiffness * stretch
+            self._energies.append(stiffness * stretch**2 / 2)
         force += sum(self._damping_and_friction(joint, [u]))
         self._add_joint_force(axis, force)
         if joint.armature:
@@ -346,7 +349,9 @@ class RobotAssembly:
             stretch = length - low
             if low != high:  # slack in between
                 stretch = sm.Max(length - high, 0) + sm.Min(length - low, 0)
-            force -= self._number("stiffness", tendon.name, tendon.stiffness) * stretch
+            stiffness = self._number("stiffness", tendon.name, tendon.stiffness)
+            force -= stiffness * stretch
+            self._energies.append(stiffness * stretch**2 / 2)
         self._add_tendon_force(tendon.name, force)
         if tendon.armature:
             size = self._number("armature", tendon.name, tendon.armature)
@@ -435,15 +440,17 @@ class RobotAssembly:
         signal = self.actuators[motor.name] = me.dynamicsymbols(name)
         if motor.input_range is not None:
             self.input_ranges[motor.name] = motor.input_range
-        parts = (
-            (motor.gain, "gain", signal),
-            (motor.constant, "bias", sm.S.One),
-            (-motor.stiffness, "servo_stiffness", coordinate),
-            (-motor.damping, "servo_damping", speed),
+        gain, bias, slope, drag = (
+            self._factor(prefix, motor.name, value)
+            for value, prefix in (
+                (motor.gain, "gain"),
+                (motor.constant, "bias"),
+                (-motor.stiffness, "servo_stiffness"),
+                (-motor.damping, "servo_damping"),
+            )
         )
-        force = sm.Add(
-            *(self._factor(prefix, motor.name, v) * variable for v, prefix, variable in parts)
-        )
+        force = gain * signal + bias + slope * coordinate + drag * speed
+        self._energies.append(-bias * coordinate - slope * coordinate**2 / 2)
         if motor.tendon is not None:
             self._add_tendon_force(motor.tendon, force)
         else:
@@ -494,6 +501,7 @@ class RobotAssembly:
             configuration={key: value for key, value in near.items() if key in symbols},
             frames=self.frames,
             values=self.values,
+            potential_energy=sm.Add(*self._energies),
         )
 
     def _rows(self, equality: EqualityConstraint) -> Iterator[sm.Expr]:
