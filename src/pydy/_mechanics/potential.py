@@ -32,7 +32,7 @@ from pydy._graph import Graph
 from pydy._mechanics.components import numbers_across
 from pydy._mechanics.distance import beside_constants, may_depend_on
 from pydy._mechanics.equations import Equations, Mechanism
-from pydy._mechanics.frame_tree import FrameTree, distances, given_velocity, steps_to, velocity_in
+from pydy._mechanics.frame_tree import FrameTree, distances, given_velocity, steps_to
 from pydy._mechanics.frames import orthogonality_residuals
 from pydy._mechanics.reader import InputReader
 from pydy._mechanics.symbols import find_symbols, replace_symbols
@@ -217,7 +217,7 @@ class _PotentialSearch:
 
     def _velocity(self, location: Location) -> Vector:
         if isinstance(location, Point):
-            return velocity_in(location, self.frame)
+            return self.mechanism.load_velocities[location]
         return location.ang_vel_in(self.frame)
 
     def _power(self, location: Location, vector: Vector) -> sm.Expr:
