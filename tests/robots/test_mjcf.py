@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from optional import optional
-from pydy.errors import RobotFileError
+from pydy.errors import PyDyUserWarning, RobotFileError
 from pydy.robots import read
 
 mujoco = optional("mujoco")
@@ -296,6 +296,22 @@ def test_a_weld_of_sites_holds_a_body_where_their_frames_coincide(tmp_path):
     )
     rows = system.evaluate_holonomic_constraints([pose.get(s, 0.0) for s in system.states])
     assert rows == pytest.approx(0.0, abs=1e-14)
+
+
+@pytest.mark.parametrize(
+    ("quaternion", "angle"), [("0 1 0 0", 180), ("1 1 1 1", 120), ("1 0 0 1", None)]
+)
+def test_a_weld_that_is_turned_over_in_the_file_is_warned_of(tmp_path, quaternion, angle):
+    """Half a turn away, and a third of one, the constrained products of axes are zero, too."""
+    weld = f'<equality><weld body1="b" relpose="0 0 0 {quaternion}"/></equality>'
+    body = '<body name="b"><freejoint name="f"/><geom size="0.1"/></body>'
+    path = written(tmp_path, f"<mujoco><worldbody>{body}</worldbody>{weld}</mujoco>")
+    if angle is None:  # a right angle: the residuals say it
+        rows = read(path).system().evaluate_holonomic_constraints()
+        assert abs(rows).max() == pytest.approx(1.0)
+    else:
+        with pytest.warns(PyDyUserWarning, match=f"weld of 'b' and 'world' is {angle}° away"):
+            read(path)
 
 
 def test_a_loop_keeps_its_energy_and_its_constraints(tmp_path):

@@ -10,7 +10,9 @@ import numpy as np
 import sympy as sm
 import sympy.physics.mechanics as me
 
+from pydy._errors import warn_user
 from pydy._names import unused_name
+from pydy._rank import ROUNDED
 from pydy.mechanics import Definition
 from pydy.robots.tree import EqualityConstraint, Link, Motor, RobotJoint, Tendon, Tree
 
@@ -532,8 +534,31 @@ class RobotAssembly:
                 for a in equality.rotation.T
             ]
             second_axes = [_vector_in_base(chains[1], sm.eye(3)[:, k]) for k in range(3)]
+            self._check_weld(equality, axes, second_axes)
             for a, b in ((0, 1), (1, 2), (2, 0)):
                 yield axes[a].dot(second_axes[b])
+
+    def _check_weld(
+        self,
+        weld: EqualityConstraint,
+        axes: Sequence[sm.MatrixBase],
+        second_axes: Sequence[sm.MatrixBase],
+    ) -> None:
+        """Warn of a weld that is more than a right angle away in the file's pose.
+
+        The products of axes that are constrained are zero again where the frames differ by a third
+        of a turn or by half a turn.
+        """
+        near = {**self.values, **self.start}
+        trace = sum(float(a.dot(b).xreplace(near)) for a, b in zip(axes, second_axes, strict=True))
+        if trace < 1.0 - ROUNDED:  # 1 + 2 cos(angle)
+            angle = np.degrees(np.arccos(max((trace - 1.0) / 2.0, -1.0)))
+            warn_user(
+                f"In the file's pose the weld of '{self._link_name(weld.first)}' and "
+                f"'{self._link_name(weld.second)}' is {angle:.0f}° away from its orientation. "
+                "Beyond 90° its constraints may be satisfied in another orientation: pass "
+                "`initial_conditions` near the right one to `Robot.system`."
+            )
 
     def _displacement(self, kind: str, name: str) -> sm.Expr:
         """Return the displacement of a joint or tendon from the file's pose."""
