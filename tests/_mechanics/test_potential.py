@@ -8,8 +8,9 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 from pydy._mechanics.definition import equations_of_definition
+from pydy._mechanics.force_integrals import primitive
 from pydy._mechanics.kane import equations_of_kane
-from pydy._mechanics.potential import _PotentialSearch, _primitive, find_potential
+from pydy._mechanics.potential import _PotentialSearch, find_potential
 from pydy.contact import kelvin_voigt
 from pydy.mechanics import Definition, Implicit
 from pydy.system import System
@@ -205,7 +206,7 @@ def test_no_term_of_a_torque_without_a_potential_is_integrated(monkeypatch):
     )
     definition = Definition(frame, [*q], [*u], bodies=[wheel], loads=contact.loads())
     integrated = []
-    monkeypatch.setattr("pydy._mechanics.potential._primitive", lambda _, x: integrated.append(x))
+    monkeypatch.setattr("pydy._mechanics.potential.primitive", lambda _, x: integrated.append(x))
     found = find_potential(equations_of_definition(definition))
     assert [x.name for x in integrated] == ["z"]  # the force: constraints may fix the angles
     assert [name.split(",")[0] for name in found.unknown] == [
@@ -640,7 +641,7 @@ def test_sines_that_cancel_do_not_make_a_spring_infinite():
     # The sum is 2 √5. SymPy alone divides by its derivative, which is zero.
     products = (root - 1) * (sine - sm.sqrt(5)) + (root + 1) * (cosine + sm.sqrt(5))
     number = products - 3 * root * (sm.sin(x) + sm.cos(x)) / 2 + sine - cosine
-    assert _primitive(x * number, x) == sm.sqrt(5) * x**2
+    assert primitive(x * number, x) == sm.sqrt(5) * x**2
 
 
 def test_springs_of_a_long_chain_in_relative_coordinates_take_no_cubic_time():
@@ -654,3 +655,31 @@ def test_springs_of_a_long_chain_in_relative_coordinates_take_no_cubic_time():
     few, twice, four_times = calls
     assert twice < 3 * few  # each doubling of n² would be 4, of n³ 8
     assert four_times < 3 * twice
+
+
+@pytest.mark.parametrize("of_weight", [0, 1])
+@pytest.mark.parametrize("shift", [0, 3])
+def test_a_given_potential_is_used_if_the_power_of_the_loads_agrees(plane, of_weight, shift):
+    frame, _, place = plane
+    spring, weight = K * (Q[0] - 2 * Q[1]) ** 2 / 2, M * G * Q[1]
+    loads = [
+        (place, sum((-spring.diff(q) * e for q, e in zip(Q, frame, strict=False)), 0 * frame.x))
+    ]
+    definition = Definition(
+        frame,
+        Q,
+        U,
+        bodies=[me.Particle("P", place, M)],
+        loads=[*loads, (place, -M * G * frame.y)],
+        potential_energy=spring + of_weight * weight + shift * Q[0],
+    )
+    found = find_potential(equations_of_definition(definition))
+    assert not found.unknown
+    assert sm.expand(found.expression - spring - weight) == 0  # not expanded, as it was given
+    assert found.expression.has((Q[0] - 2 * Q[1]) ** 2) == (not shift)
+
+
+def test_a_given_potential_must_be_an_expression(plane):
+    frame, _, place = plane
+    with pytest.raises(ValueError, match="`potential_energy`, an expression or a number, must be"):
+        Definition(frame, Q, U, bodies=[me.Particle("P", place, M)], potential_energy="k")

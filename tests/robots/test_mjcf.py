@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from optional import optional
-from pydy.errors import RobotFileError
+from pydy.errors import PyDyUserWarning, RobotFileError
 from pydy.robots import read
 
 mujoco = optional("mujoco")
@@ -105,6 +105,47 @@ def test_accelerations_are_those_of_mujoco(tmp_path, parameters):
         rates = dict(zip(system.states, system.evaluate_ode(), strict=True))
         size = abs(data.qacc).max()
         assert [rates[u] for u in speeds] == pytest.approx(data.qacc, abs=1e-11 * size)
+
+
+SPRUNG = """<mujoco>
+<compiler angle="radian"/>
+<option gravity="0.3 -0.2 -9.81"><flag energy="enable" contact="disable"/></option>
+<worldbody>
+<body name="crane" quat="0.8 0.1 0.5 0.3"><joint name="turn" axis="1 2 3" stiffness="4" ref=".2"/>
+  <geom type="box" size="0.2 0.1 0.3" pos="0.05 0.02 0"/>
+  <body name="jib" pos="0.1 0 0.3" quat="0.5 -0.4 0.2 0.7">
+    <joint name="lift" axis="0.3 0 1" pos="0.1 0.2 0" stiffness="3" springref="0.5"/>
+    <joint name="reach" type="slide" axis="3 -1 2" stiffness="5" springref="0.1"/>
+    <geom type="capsule" size="0.03" fromto="0 0 0 0.3 0.1 0.4"/>
+    <body name="hook" pos="0.2 0 0.4"><joint name="drop" type="slide" axis="1 -0.2 0.7"/>
+      <geom size="0.1"/></body>
+  </body>
+</body></worldbody>
+<tendon><fixed name="rope" stiffness="30" springlength="-0.3 0.4">
+  <joint joint="lift" coef="0.3"/><joint joint="drop" coef="-1.7"/></fixed></tendon>
+<actuator><position name="servo" joint="drop" kp="20" gear="0.7"/>
+<general name="odd" tendon="rope" gear="-1.5" gainprm="3" biastype="affine" biasprm="1 -2 0"/>
+</actuator></mujoco>"""
+
+
+@pytest.mark.parametrize("parameters", ["symbols", "numbers"])
+def test_the_energy_of_springs_along_oblique_axes_is_that_of_mujoco(tmp_path, parameters):
+    """MuJoCo's energy, and that of the actuators: ½ 20 l² and ½ 2 l² - l, by their lengths l."""
+    path = written(tmp_path, SPRUNG)
+    model = mujoco.MjModel.from_xml_path(str(path))
+    data, robot = mujoco.MjData(model), read(path, parameters=parameters)
+    system, rng, differences = robot.system(), np.random.default_rng(3), []
+    coordinates, speeds = order_of(robot, model)
+    for _ in range(4):
+        state(rng, model, data)
+        mujoco.mj_forward(model, data)
+        servo, odd = data.actuator_length
+        expected = [data.energy[1], data.energy[0] + 10.0 * servo**2 + odd**2 - odd]
+        x = dict(zip([*coordinates, *speeds], [*data.qpos, *data.qvel], strict=True))
+        energies = system.evaluate_energy([x[s] for s in system.states])
+        differences.append([energies.kinetic - expected[0], energies.potential - expected[1]])
+    assert np.ptp(differences, axis=0) == pytest.approx(0.0, abs=1e-12 * max(expected))
+    assert differences[0][0] == pytest.approx(0.0, abs=1e-13 * expected[0])
 
 
 ROTORS = """<mujoco>
@@ -255,6 +296,22 @@ def test_a_weld_of_sites_holds_a_body_where_their_frames_coincide(tmp_path):
     )
     rows = system.evaluate_holonomic_constraints([pose.get(s, 0.0) for s in system.states])
     assert rows == pytest.approx(0.0, abs=1e-14)
+
+
+@pytest.mark.parametrize(
+    ("quaternion", "angle"), [("0 1 0 0", 180), ("1 1 1 1", 120), ("1 0 0 1", None)]
+)
+def test_a_weld_that_is_turned_over_in_the_file_is_warned_of(tmp_path, quaternion, angle):
+    """Half a turn away, and a third of one, the constrained products of axes are zero, too."""
+    weld = f'<equality><weld body1="b" relpose="0 0 0 {quaternion}"/></equality>'
+    body = '<body name="b"><freejoint name="f"/><geom size="0.1"/></body>'
+    path = written(tmp_path, f"<mujoco><worldbody>{body}</worldbody>{weld}</mujoco>")
+    if angle is None:  # a right angle: the residuals say it
+        rows = read(path).system().evaluate_holonomic_constraints()
+        assert abs(rows).max() == pytest.approx(1.0)
+    else:
+        with pytest.warns(PyDyUserWarning, match=f"weld of 'b' and 'world' is {angle}° away"):
+            read(path)
 
 
 def test_a_loop_keeps_its_energy_and_its_constraints(tmp_path):

@@ -561,3 +561,37 @@ def test_forces_that_hold_weights_take_half_of_the_operations_of_those_that_move
     close(system.gravity(q), slopes, 1e-14)
     close(system.gravity(q), system.inverse_dynamics(q, np.zeros(3), np.zeros(3)), 1e-14)
     assert operations(system, "gravity") <= 0.5 * operations(system, "inverse dynamics")
+
+
+@pytest.mark.parametrize("between", ["nothing", "energy", "potential", "parts", "SymPy"])
+def test_positions_have_the_same_origin_whatever_was_called_before(between):
+    """SymPy stores velocities that it derives: a support without one becomes a point at rest."""
+    x, v = me.dynamicsymbols("x v")
+    m, k, a, b = sm.symbols("m k a b")
+    N, O = inertial_frame()
+    support = O.locatenew("A", a * N.x)
+    turned = N.orientnew("B", "Axis", (0.4, N.z))
+    stand = support.locatenew("S", b * turned.y)
+    end = stand.locatenew("P", x * turned.x)
+    pull = k * x**3 * turned.x
+    definition = Definition(
+        N,
+        [x],
+        [v],
+        bodies=[me.Particle("bob", end, m)],
+        loads=[(end, -pull), (stand, pull)],
+        frames={"end": (turned, end)},
+    )
+    system = System(definition, {m: 2.0, k: 3.0, a: 0.7, b: 0.2})
+    if between == "energy":
+        assert system.evaluate_energy([0.5, 0.0]).potential == pytest.approx(3.0 * 0.5**4 / 4)
+    elif between == "potential":
+        assert system.potential_energy.has(x)
+    elif between == "parts":
+        assert system.kinetic_energy == m * v**2 / 2
+    elif between == "SymPy":
+        assert stand.vel(N) == 0
+        assert end.vel(N) == x.diff() * turned.x
+    c, s = np.cos(0.4), np.sin(0.4)
+    expected = [0.7 + 0.5 * c - 0.2 * s, 0.5 * s + 0.2 * c, 0.0]
+    assert system.frame_position("end", [0.5]) == pytest.approx(expected, abs=1e-15)

@@ -320,9 +320,7 @@ def _frame_and_point(
 
 def _origin(body: Multibody, point: Point) -> Point:
     """Return the point that positions are measured from."""
-    from pydy.viz import find_origin  # with the rest of viz and SciPy's rotations
-
-    origin = find_origin(body.frame, [b.masscenter for b in body.bodies])
+    origin = body.origin
     if origin is None:
         raise ValueError(
             f"No point at rest in `{body.frame}` is connected with the bodies, so that positions "

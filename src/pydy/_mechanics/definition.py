@@ -106,6 +106,11 @@ class Definition:
     values : mapping of constants to numbers, optional
         What these have there in place of 1.0, if the motion does not depend on them and the System
         has no value either: the place of a robot's base.
+    potential_energy : expression, optional
+        Of the coordinates, time and constants: the potential energy of all loads, or of all but
+        those that are constant in the inertial frame, such as weights. `System.potential_energy`
+        is searched for among the forms of loads that it knows if the power of the loads does not
+        agree with this expression.
 
     Raises
     ------
@@ -148,6 +153,7 @@ class Definition:
         configuration: Mapping[AnySymbol | str, float] | None = None,
         frames: Mapping[str, tuple[ReferenceFrame, Point]] | None = None,
         values: Mapping[sm.Symbol, float] | None = None,
+        potential_energy: sm.Expr | None = None,
     ) -> None:
         instance(frame, ReferenceFrame, "`frame`")
         t = dynamicsymbols._t
@@ -183,6 +189,7 @@ class Definition:
             key: number(value, f"`values[{key}]`", finite=True)
             for key, value in check_mapping("values", values).items()
         }
+        self.potential_energy = _energy(potential_energy)
         self._check_names()
         self._check_motion()
         self.as_method: Callable[[Definition], EomMethod] | None = None
@@ -298,6 +305,7 @@ class Definition:
             dependents=DependentStates(all_speeds=self.speeds),
             auxiliary=self.auxiliary_speeds,
             activations=self._activations,
+            potential=self.potential_energy,
         )
         if implicit is not None:
             body = implicit.added_to(body)
@@ -365,6 +373,17 @@ def _expressions(argument: str, expressions: Iterable[sm.Expr | float]) -> tuple
         if is_number:
             number(expression, f"`{argument}`", finite=True)
     return tuple(map(sm.sympify, entries))
+
+
+def _energy(energy: sm.Expr | None) -> sm.Expr | None:
+    expression = isinstance(energy, sm.Expr) and not (energy.is_Matrix or energy.is_number)
+    if energy is None or expression:
+        return energy
+    if isinstance(energy, sm.Expr) and not energy.is_number:
+        raise ValueError(
+            f"`potential_energy` must be a scalar expression, got {shown(energy)}: a matrix."
+        )
+    return sm.Float(number(energy, "`potential_energy`, an expression or a number,", finite=True))
 
 
 def _named_positions(

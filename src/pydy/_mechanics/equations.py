@@ -11,13 +11,13 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 import sympy as sm
-from sympy.physics.mechanics import Particle, ReferenceFrame
+from sympy.physics.mechanics import Particle, Point, ReferenceFrame
 
 from pydy._forks import cached_property
 from pydy._mechanics.constraints import ConstraintEquations
 from pydy._mechanics.equation_graph import EquationGraph
 from pydy._mechanics.forces import ConstraintForces
-from pydy._mechanics.frame_tree import FrameTree, velocity_in
+from pydy._mechanics.frame_tree import FrameTree, velocities_in
 from pydy._mechanics.kinematic_constraints import DependentStates
 from pydy._mechanics.kinematic_equations import KinematicEquations
 from pydy._mechanics.multibody import Multibody
@@ -49,10 +49,25 @@ class Mechanism:
     @cached_property
     def kinetic_energy(self) -> sm.Expr:
         """The kinetic energy by the velocities as the user wrote them, q' included."""
+        return self._written_energy()
+
+    @cached_property
+    def body_velocities(self) -> dict[Point, Vector]:
+        """The velocities of the mass centres."""
+        return self._velocities([body.masscenter for body in self.bodies])
+
+    @cached_property
+    def load_velocities(self) -> dict[Point, Vector]:
+        """The velocities of the points at which loads act."""
+        points = dict.fromkeys(item for item, _ in self.loads if isinstance(item, Point))
+        centres = {p: v for p, v in self.body_velocities.items() if p in points}
+        return centres | self._velocities([p for p in points if p not in centres])
+
+    def _velocities(self, points: Sequence[Point]) -> dict[Point, Vector]:
         with warnings.catch_warnings():
             # SymPy derives velocities that were not set, and warns if the result is ambiguous.
             warnings.simplefilter("ignore", UserWarning)
-            return self._written_energy()
+            return velocities_in(self.frame, points)
 
     @property
     def energy(self) -> sm.Expr:
@@ -62,7 +77,7 @@ class Mechanism:
     def _written_energy(self) -> sm.Expr:
         terms = []
         for body in self.bodies:
-            velocity = velocity_in(body.masscenter, self.frame)
+            velocity = self.body_velocities[body.masscenter]
             terms.append(body.mass * self._square(velocity) / 2)
             if not isinstance(body, Particle):
                 rate = body.frame.ang_vel_in(self.frame)
@@ -81,9 +96,7 @@ class Mechanism:
         """Masses, velocities, loads and inertias of rotating bodies: the terms of energies."""
         parts = [body.mass for body in self.bodies]
         vectors = [vector for _, vector in self.loads]
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore", UserWarning)  # as for the kinetic energy
-            vectors += [velocity_in(body.masscenter, self.frame) for body in self.bodies]
+        vectors += self.body_velocities.values()
         for body in self.bodies:
             if (sizes := self._inertias(body)) and body.frame.ang_vel_in(self.frame) != 0:
                 parts += sizes

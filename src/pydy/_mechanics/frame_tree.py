@@ -124,6 +124,12 @@ class FrameTree:
         """
         return breadth_first(points, FrameTree.positions)
 
+    @staticmethod
+    def point_at_rest(frame: ReferenceFrame, points: Iterable[Point]) -> Point | None:
+        """Return the nearest point with zero velocity that is connected to some points, or None."""
+        connected = FrameTree.points_from([*points])
+        return next((p for p in connected if given_velocity(p, frame) == 0), None)
+
     def velocity(self, point: Point) -> Vector | None:
         """Return the velocity that the user set, or None."""
         return given_velocity(point, self.inertial)
@@ -298,6 +304,22 @@ def velocity_in(point: Point, frame: ReferenceFrame) -> Vector:
                 rate = FrameTree.positions(point)[neighbour].dt(frame)
                 point.set_vel(frame, rate + given_velocity(neighbour, frame))
     return point.vel(frame)
+
+
+def velocities_in(frame: ReferenceFrame, points: Iterable[Point]) -> dict[Point, Vector]:
+    """Return the velocities of points, and leave the points as they are.
+
+    SymPy stores a derived velocity as if the user had set it. A point fixed to the ground would
+    become one at rest, from which positions are measured.
+    """
+    points = [*dict.fromkeys(points)]
+    stored = {p: {**p._vel_dict} for p in FrameTree.points_from(points)}
+    try:
+        return {point: velocity_in(point, frame) for point in points}
+    finally:
+        for point, velocities in stored.items():
+            point._vel_dict.clear()
+            point._vel_dict.update(velocities)
 
 
 def numbers_in_places(frame: ReferenceFrame, bodies: Iterable[Body]) -> set[float]:

@@ -13,7 +13,7 @@ from pydy._mechanics.reader import is_rigid
 
 if TYPE_CHECKING:
     import sympy as sm
-    from sympy.physics.mechanics import ReferenceFrame
+    from sympy.physics.mechanics import Point, ReferenceFrame
 
     from pydy._sympy_types import Body, Load, TimeFunction
 
@@ -34,14 +34,22 @@ class Multibody:
     auxiliary: tuple[TimeFunction, ...] = ()  # auxiliary speeds
     # In place of bodies; the speeds are then the derivatives of the coordinates.
     lagrangian: sm.Expr | None = None
+    # The potential energy of the loads, or of those that are not constant; to be verified.
+    potential: sm.Expr | None = None
     activations: tuple[TimeFunction, ...] = ()  # states of musculotendons that are specifieds here
     # The properties of the bodies when they were read: SymPy lets users change them.
     snapshots: tuple[tuple[Body, tuple[Any, ...]], ...] = ()
+    # The point that positions are measured from. It is selected once: SymPy's `Point.vel` sets the
+    # velocity that it derives, so that later another point may be the nearest at rest.
+    origin: Point | None = None
 
     def __post_init__(self) -> None:
         if not self.snapshots:
             snapshots = tuple((body, _snapshot(body)) for body in self.bodies)
             object.__setattr__(self, "snapshots", snapshots)
+            if self.origin is None and self.frame is not None:
+                centres = [body.masscenter for body in self.bodies]
+                object.__setattr__(self, "origin", FrameTree.point_at_rest(self.frame, centres))
 
     def check_unchanged(self) -> None:
         """Refuse bodies that changed since they were read: their equations would be outdated."""

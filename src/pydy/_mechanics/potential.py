@@ -30,10 +30,10 @@ from pydy._checks import shown
 from pydy._errors import UnsupportedFunctionError
 from pydy._forks import cached_property
 from pydy._graph import Graph
-from pydy._mechanics.components import numbers_across
 from pydy._mechanics.distance import beside_constants, may_depend_on
 from pydy._mechanics.equations import Equations, Mechanism
-from pydy._mechanics.frame_tree import FrameTree, distances, given_velocity, steps_to, velocity_in
+from pydy._mechanics.force_integrals import SWITCHED, integral_over, primitive, random_values
+from pydy._mechanics.frame_tree import FrameTree, distances, given_velocity, steps_to
 from pydy._mechanics.frames import orthogonality_residuals
 from pydy._mechanics.reader import InputReader
 from pydy._mechanics.symbols import find_symbols, replace_symbols
@@ -45,7 +45,6 @@ if TYPE_CHECKING:
     from pydy._sympy_types import AnySymbol, Load, Location, TimeFunction
 
 _MASS = sm.Rational(7, 11)  # a number that occurs in no formula
-_SWITCHED = sm.Max, sm.Min, sm.Abs, sm.sign, sm.Heaviside, sm.Piecewise
 
 
 @dataclass
@@ -156,6 +155,8 @@ class _PotentialSearch:
         """Return the potential of all loads that do work, verified; or what has none, and why."""
         loads = [load for load in self.mechanism.loads if self._does_work(load[0])]
         loads = [load for load in loads if not self._recognise_constant_load(*load)]
+        if (given := self._given_potential(loads)) is not None:
+            return Potential(given)
         before = len(self.recognised)
         unlocated, unknown = self._recognise_loads(loads)
         if unknown:  # forces of different laws may have been added at a point
@@ -230,9 +231,28 @@ class _PotentialSearch:
         known = base in self.coordinates or isinstance(base, (sm.sin, sm.cos))
         return self._is_constant(factor) or (known and bool(exponent.is_Integer and exponent > 0))
 
+    def _given_potential(self, loads: Sequence[Load]) -> sm.Expr | None:
+        """Return the potential of the multibody's definition if the power of all loads agrees.
+
+        `loads` are those that are not constant. The forms below recognise many springs of robots
+        only after long integrations, or not at all, since products of decimals do not cancel.
+        """
+        multibody = self.equations.multibody
+        if multibody is None or multibody.potential is None:
+            return None
+        remaining = [term for load in loads for term in self._terms(*load)]
+        powers = [p for _, p in self.recognised]
+        powers += [self._power(term.location, term.vector) for term in remaining]
+        given = self.equations.kinematics.in_states(multibody.potential)
+        of_constant_loads = sm.Add(*(energy for energy, _ in self.recognised))
+        for candidate in (of_constant_loads + given, given):
+            if is_potential_of(self.equations, candidate, powers):
+                return candidate
+        return None
+
     def _velocity(self, location: Location) -> Vector:
         if isinstance(location, Point):
-            return velocity_in(location, self.frame)
+            return self.mechanism.load_velocities[location]
         return location.ang_vel_in(self.frame)
 
     def _power(self, location: Location, vector: Vector) -> sm.Expr:
@@ -353,7 +373,7 @@ class _PotentialSearch:
                         segments.append((i, j, ratio, line.dot(line)))
                         break
         tensions = [ratio * sm.sqrt(square) for _, _, ratio, square in segments]
-        values = _numbers(tensions, self.turns) if tensions else np.zeros((1, 0))
+        values = random_values(tensions, self.turns) if tensions else np.zeros((1, 0))
         used_loads: set[int] = set()
         for k in range(len(segments)):
             alike = np.abs(values - values[:, [k]]) <= ROUNDED * np.abs(values[:, [k]])
@@ -407,7 +427,7 @@ class _PotentialSearch:
         law = ratio * distance
         if not self._is_constant(law):  # it may contain both a - b and b - a
             law = sm.signsimp(law)
-        return _integral(-law, distance) if self._is_constant(law) else None
+        return integral_over(-law, distance) if self._is_constant(law) else None
 
     def _recognise_constant_load(self, location: Location, vector: Vector) -> bool:
         """Recognise a constant load, or one proportional to a changing mass at its point."""
@@ -461,7 +481,7 @@ class _PotentialSearch:
 
     def _recognise_by_height(self, term: _Term) -> bool:
         """Recognise a switched force along a fixed line that depends on height alone."""
-        height = self._height(term) if term.size.has(*_SWITCHED) else None
+        height = self._height(term) if term.size.has(*SWITCHED) else None
         if height is None:
             return False
         h = sm.Dummy("h", real=True)
@@ -470,7 +490,7 @@ class _PotentialSearch:
         shares = {e: beside_constants(e, height, coordinates) for e in sums}
         named = {e: share[0] * h + share[1] for e, share in shares.items() if share is not None}
         law = term.size.xreplace(named)
-        part = _primitive(law, h) if self._is_constant(law) else None
+        part = primitive(law, h) if self._is_constant(law) else None
         if part is None:
             return False
         energy = replace_symbols(-part, {h: height})
@@ -546,7 +566,7 @@ class _PotentialSearch:
             if force == 0 or not self._is_constant(force.xreplace({c: sm.S.One})):
                 continue
             x = sm.Dummy(c.func.__name__, real=True)
-            part = _primitive(replace_symbols(force, {c: x}), x)
+            part = primitive(replace_symbols(force, {c: x}), x)
             if part is not None:
                 energy = replace_symbols(-part, {x: c})
                 if self._is_sound(energy, [power]):
@@ -631,7 +651,7 @@ class _PotentialSearch:
             remaining = sm.expand(sm.Add(replace_symbols(force, real), *before))
             if remaining.free_symbols & done:  # the work appears to depend on the path
                 return None
-            if (part := _primitive(remaining, x)) is None:
+            if (part := primitive(remaining, x)) is None:
                 return None
             parts.append(-part)
             for symbol in part.free_symbols:
@@ -645,39 +665,6 @@ class _PotentialSearch:
         return energy if exact or self._is_sound(energy, powers) else None
 
 
-def _primitive(force: sm.Expr, x: sm.Symbol) -> sm.Expr | None:
-    """Return a continuous integral over x, or None if SymPy finds none."""
-    if force.has(*_SWITCHED):
-        force = sm.piecewise_fold(force.rewrite(sm.Piecewise))
-    # Sines and cosines that cancel, of a point beside an axis: SymPy would divide by their sum.
-    if not force.is_polynomial(x) and (expanded := sm.expand(force)).is_polynomial(x):
-        force = expanded
-    try:
-        integral = sm.integrate(force, x, manual=True)
-    except (NotImplementedError, ValueError, TypeError, AttributeError, RecursionError):
-        return None  # SymPy cannot order the intervals
-    if integral.has(sm.Integral, sm.I, sm.nan, sm.zoo, sm.oo, sm.S.NegativeInfinity):
-        return None
-    return _of_either_sign(integral)
-
-
-def _of_either_sign(energy: sm.Expr) -> sm.Expr:
-    """Return an integral whose logarithms allow arguments of either sign."""
-    return energy.replace(sm.log, lambda e: sm.log(e if e.is_positive else sm.Abs(e)))
-
-
-def _numbers(expressions: Sequence[sm.Expr], turns: Iterable[sm.Matrix]) -> np.ndarray:
-    """Return the values of expressions at random states and constants, one row for each sample.
-
-    Quaternions have unit length there, so that the matrices `turns` are rotations. Samples on the
-    other side of each switch of the expressions follow.
-    """
-    graph = Graph()
-    read = InputReader(graph, {}, ())
-    nodes = read.all(expressions)
-    return numbers_across(graph, nodes, nodes, orthogonality_residuals(turns, read))
-
-
 def _opposite(vectors: Sequence[Vector], turns: Iterable[sm.Matrix]) -> Callable[[int, int], bool]:
     """Return a predicate that compares two vectors: opposite, up to rounding.
 
@@ -689,7 +676,7 @@ def _opposite(vectors: Sequence[Vector], turns: Iterable[sm.Matrix]) -> Callable
     values = np.zeros((1, len(vectors), 1))
     if len(vectors) > 1:
         with suppress(UnsupportedFunctionError):
-            values = _numbers([part for row in rows for part in row], turns)
+            values = random_values([part for row in rows for part in row], turns)
             values = values.reshape(-1, len(vectors), len(keys))
     sizes = np.abs(values).max(axis=2)
 
@@ -711,7 +698,8 @@ def _ratio(force: Vector, line: Vector, turns: Iterable[sm.Matrix]) -> sm.Expr |
     force_parts = {(f, i): part for parts, f in force.args for i, part in enumerate(parts)}
     keys = list(line_parts | force_parts)
     pairs = [(force_parts.get(p, sm.S.Zero), line_parts.get(p, sm.S.Zero)) for p in keys]
-    values = _numbers([part for pair in pairs for part in pair], turns).reshape(-1, len(pairs), 2)
+    flat = [part for pair in pairs for part in pair]
+    values = random_values(flat, turns).reshape(-1, len(pairs), 2)
     pull, offset = values[..., 0], values[..., 1]
     largest = int(np.abs(offset[0]).argmax())
     if not (np.isfinite(values).all() and offset[:, largest].all() and pull.any()):
@@ -731,7 +719,7 @@ def _in_terms_of(
     moving = find_symbols([square])
     sums = {square, *(p.base for p in expression.atoms(sm.Pow)), *expression.atoms(sm.Add)}
     bases = [e for e in sums if find_symbols([e]) == moving]
-    values = _numbers([square, *bases], turns)
+    values = random_values([square, *bases], turns)
     shares = values[:, 1:] / values[:, :1]
     alike = np.abs(shares - shares[0]).max(axis=0) <= ROUNDED * np.abs(shares[0])
     named = {
@@ -758,43 +746,3 @@ def _in_terms_of(
                 named[e] = softened[0] * distance**2 + softened[1]
         rewritten = written(rewritten)
     return rewritten
-
-
-def _integral(law: sm.Expr, distance: sm.Symbol) -> sm.Expr | None:
-    """Integrate a law over the distance; None if SymPy finds no elementary function."""
-    if (powers := _integral_of_powers(law, distance)) is not None:
-        return powers
-    integral = sm.S.NaN
-    if not law.has(*_SWITCHED):
-        with suppress(NotImplementedError, ValueError, TypeError, AttributeError, RecursionError):
-            integral = sm.integrate(law, distance, risch=True)
-    if integral.has(sm.Integral, sm.S.NaN):
-        # Many laws are functions of the square, which SymPy integrates more easily.
-        square = sm.Dummy("S", positive=True)
-        by_square = replace_symbols(law / distance, {distance: sm.sqrt(square)}) / 2
-        odd = any(p.base == square and not p.exp.is_Integer for p in by_square.atoms(sm.Pow))
-        integral = _primitive(*((law, distance) if odd else (by_square, square)))
-        integral = None if integral is None else replace_symbols(integral, {square: distance**2})
-    if integral is None:
-        return None
-    integral = _of_either_sign(integral)
-    try:
-        _numbers([integral], ())
-    except UnsupportedFunctionError:  # an exponential integral, say
-        return None
-    return integral
-
-
-def _integral_of_powers(law: sm.Expr, distance: sm.Symbol) -> sm.Expr | None:
-    """Integrate a sum of powers of the distance; None for anything else."""
-    parts = []
-    for term in sm.Add.make_args(sm.expand(law)):
-        size, power = term.as_independent(distance, as_Add=False)
-        _, exponent = power.as_base_exp() if power != 1 else (distance, sm.S.Zero)
-        if power not in (1, distance**exponent) or not exponent.is_number:
-            return None
-        if exponent == -1:
-            parts.append(size * sm.log(distance))
-        else:
-            parts.append(size * distance ** (exponent + 1) / (exponent + 1))
-    return sm.Add(*parts)

@@ -88,6 +88,8 @@ class EnergyModel:
         equations, mechanism = self.equations, self.equations.mechanism
         if equations.multibody is not None and equations.multibody.lagrangian is not None:
             parts.append(equations.multibody.lagrangian)  # it may come without bodies
+        if equations.multibody is not None and equations.multibody.potential is not None:
+            parts.append(equations.multibody.potential)
         if mechanism is not None:
             parts += [*mechanism.parts]
             parts += [body.potential_energy for body in mechanism.bodies]

@@ -10,7 +10,9 @@ import numpy as np
 import sympy as sm
 import sympy.physics.mechanics as me
 
+from pydy._errors import warn_user
 from pydy._names import unused_name
+from pydy._rank import ROUNDED
 from pydy.mechanics import Definition
 from pydy.robots.tree import EqualityConstraint, Link, Motor, RobotJoint, Tendon, Tree
 
@@ -87,6 +89,7 @@ class RobotAssembly:
         self._used_names: set[str] = {"t"}
         self._bodies: list[Body] = []
         self._loads: list[Load] = []
+        self._energies: list[sm.Expr] = []  # potential energies of springs and actuators
         # Steps from the parent's frame to that of each link, in the order of `link_frames`.
         self._steps: list[list[_Step]] = [[]]
         self._parents: list[int | None] = [None]
@@ -324,7 +327,9 @@ class RobotAssembly:
         q, u, force = axis.coordinate, axis.speed, sm.S.Zero
         if joint.stiffness:
             stretch = q - _exact(joint.relaxed)
-            force -= self._number("stiffness", joint.name, joint.stiffness) * stretch
+            stiffness = self._number("stiffness", joint.name, joint.stiffness)
+            force -= stiffness * stretch
+            self._energies.append(stiffness * stretch**2 / 2)
         force += sum(self._damping_and_friction(joint, [u]))
         self._add_joint_force(axis, force)
         if joint.armature:
@@ -346,7 +351,9 @@ class RobotAssembly:
             stretch = length - low
             if low != high:  # slack in between
                 stretch = sm.Max(length - high, 0) + sm.Min(length - low, 0)
-            force -= self._number("stiffness", tendon.name, tendon.stiffness) * stretch
+            stiffness = self._number("stiffness", tendon.name, tendon.stiffness)
+            force -= stiffness * stretch
+            self._energies.append(stiffness * stretch**2 / 2)
         self._add_tendon_force(tendon.name, force)
         if tendon.armature:
             size = self._number("armature", tendon.name, tendon.armature)
@@ -435,15 +442,17 @@ class RobotAssembly:
         signal = self.actuators[motor.name] = me.dynamicsymbols(name)
         if motor.input_range is not None:
             self.input_ranges[motor.name] = motor.input_range
-        parts = (
-            (motor.gain, "gain", signal),
-            (motor.constant, "bias", sm.S.One),
-            (-motor.stiffness, "servo_stiffness", coordinate),
-            (-motor.damping, "servo_damping", speed),
+        gain, bias, slope, drag = (
+            self._factor(prefix, motor.name, value)
+            for value, prefix in (
+                (motor.gain, "gain"),
+                (motor.constant, "bias"),
+                (-motor.stiffness, "servo_stiffness"),
+                (-motor.damping, "servo_damping"),
+            )
         )
-        force = sm.Add(
-            *(self._factor(prefix, motor.name, v) * variable for v, prefix, variable in parts)
-        )
+        force = gain * signal + bias + slope * coordinate + drag * speed
+        self._energies.append(-bias * coordinate - slope * coordinate**2 / 2)
         if motor.tendon is not None:
             self._add_tendon_force(motor.tendon, force)
         else:
@@ -494,6 +503,7 @@ class RobotAssembly:
             configuration={key: value for key, value in near.items() if key in symbols},
             frames=self.frames,
             values=self.values,
+            potential_energy=sm.Add(*self._energies),
         )
 
     def _rows(self, equality: EqualityConstraint) -> Iterator[sm.Expr]:
@@ -524,8 +534,31 @@ class RobotAssembly:
                 for a in equality.rotation.T
             ]
             second_axes = [_vector_in_base(chains[1], sm.eye(3)[:, k]) for k in range(3)]
+            self._check_weld(equality, axes, second_axes)
             for a, b in ((0, 1), (1, 2), (2, 0)):
                 yield axes[a].dot(second_axes[b])
+
+    def _check_weld(
+        self,
+        weld: EqualityConstraint,
+        axes: Sequence[sm.MatrixBase],
+        second_axes: Sequence[sm.MatrixBase],
+    ) -> None:
+        """Warn of a weld that is more than a right angle away in the file's pose.
+
+        The products of axes that are constrained are zero again where the frames differ by a third
+        of a turn or by half a turn.
+        """
+        near = {**self.values, **self.start}
+        trace = sum(float(a.dot(b).xreplace(near)) for a, b in zip(axes, second_axes, strict=True))
+        if trace < 1.0 - ROUNDED:  # 1 + 2 cos(angle)
+            angle = np.degrees(np.arccos(max((trace - 1.0) / 2.0, -1.0)))
+            warn_user(
+                f"In the file's pose the weld of '{self._link_name(weld.first)}' and "
+                f"'{self._link_name(weld.second)}' is {angle:.0f}° away from its orientation. "
+                "Beyond 90° its constraints may be satisfied in another orientation: pass "
+                "`initial_conditions` near the right one to `Robot.system`."
+            )
 
     def _displacement(self, kind: str, name: str) -> sm.Expr:
         """Return the displacement of a joint or tendon from the file's pose."""

@@ -186,9 +186,7 @@ def _round_shape(moments: Sequence[float], mass: float) -> Shape | None:
 
 def find_origin(frame: ReferenceFrame, points: Iterable[Point]) -> Point | None:
     """Return a point with zero velocity in `frame` that is connected to the given ones, or None."""
-    tree = FrameTree(frame)
-    connected = tree.points_from([*points])
-    return next((p for p in connected if tree.velocity(p) == Vector(0)), None)
+    return FrameTree.point_at_rest(frame, points)
 
 
 _GREY = "#7d8796"  # visible on white and on nearly black

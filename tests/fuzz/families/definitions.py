@@ -59,6 +59,12 @@ def _of_constants(value: Any) -> bool:
     return symbols or _no_entries(value)
 
 
+def _is_scalar(value: Any) -> bool:
+    """Whether a value is None, a number or an expression; the power of the loads may differ."""
+    scalar = isinstance(value, sm.Expr) and not value.is_number and not value.is_Matrix
+    return value is None or is_number(value) or scalar
+
+
 def _only_none(value: Any) -> bool:
     return value is None
 
@@ -79,6 +85,7 @@ _ARGUMENTS: dict[str, Kind] = {
     "auxiliary_speeds": nothing(*_lists, allowed=_no_entries),
     "configuration": mapping,
     "frames": mapping,
+    "potential_energy": nothing(*_lists, allowed=_is_scalar),
     "values": nothing(*mapping.groups[1:], allowed=_numbers_by_key),
 }
 # What a message may say instead of the argument's name.
