@@ -8,7 +8,7 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 from pydy._mechanics.definition import equations_of_definition
-from pydy._mechanics.force_integrals import primitive
+from pydy._mechanics.distance import primitive
 from pydy._mechanics.kane import equations_of_kane
 from pydy._mechanics.potential import _PotentialSearch, find_potential
 from pydy.contact import kelvin_voigt

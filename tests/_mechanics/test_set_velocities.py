@@ -127,3 +127,25 @@ def test_a_wheel_moves_as_if_it_turned_about_the_point_where_it_touches():
     wheel(lambda R, N: R.ang_vel_in(N)).evaluate_ode()
     with pytest.warns(PyDyUserWarning, match="were set for H are"):
         wheel(lambda R, N: 2 * R.ang_vel_in(N)).evaluate_ode()
+
+
+def test_the_disc_of_sympys_documentation_that_touches_with_auxiliary_speeds_is_not_told():
+    """Its hub is located from the point of contact, whose velocity is that of the forces there."""
+    aux, forces = me.dynamicsymbols("u4:7"), me.dynamicsymbols("f1:4")
+    N, C = me.ReferenceFrame("N"), me.Point("C")
+    Y = N.orientnew("Y", "Axis", (q[0], N.z))
+    L = Y.orientnew("L", "Axis", (q[1], Y.x))
+    R = L.orientnew("R", "Axis", (q[2], L.y))
+    turned = R.ang_vel_in(N)
+    R.set_ang_vel(N, u[0] * L.x + u[1] * L.y + u[2] * L.z)
+    axes = (L.x, Y.z.cross(L.x), Y.z)
+    C.set_vel(N, sum(a * axis for a, axis in zip(aux, axes, strict=True)))
+    hub = C.locatenew("H", r * L.z)
+    hub.v2pt_theory(C, N, R)
+    inertia = me.inertia(L, m * r**2 / 4, m * r**2 / 2, m * r**2 / 4)
+    rates = [(R.ang_vel_in(N) - turned).dot(axis) for axis in L]
+    kane = me.KanesMethod(N, q, u, rates, u_auxiliary=aux)
+    contact = sum(f * axis for f, axis in zip(forces, axes, strict=True))
+    body = me.RigidBody("disc", hub, R, m, (inertia, hub))
+    kane.kanes_equations([body], [(hub, -m * g * Y.z), (C, contact)])
+    System(kane)

@@ -30,9 +30,15 @@ from pydy._checks import shown
 from pydy._errors import UnsupportedFunctionError
 from pydy._forks import cached_property
 from pydy._graph import Graph
-from pydy._mechanics.distance import beside_constants, may_depend_on
+from pydy._mechanics.distance import (
+    SWITCHED,
+    beside_constants,
+    integral_over,
+    may_depend_on,
+    primitive,
+    random_values,
+)
 from pydy._mechanics.equations import Equations, Mechanism
-from pydy._mechanics.force_integrals import SWITCHED, integral_over, primitive, random_values
 from pydy._mechanics.frame_tree import FrameTree, distances, given_velocity, steps_to
 from pydy._mechanics.frames import orthogonality_residuals
 from pydy._mechanics.reader import InputReader

@@ -135,11 +135,14 @@ def _is_explained(k: Kinematics, point: Point, spins: list[Vec], located: set[in
     inputs = enumerate(k.read.specifieds)
     resting = [g.input("r", i) for i, s in inputs if isinstance(s, sm.Derivative)]
     lengths = [n for m in k.tree.rotation_matrices() for n in orthogonality_residuals([m], k.read)]
-    values = numbers_of(g, [n for v in (given, *candidates) for n in v], lengths, resting)
-    vectors = values.reshape(len(values), -1, 3)
-    size = np.linalg.norm(vectors, axis=2)
-    away = np.linalg.norm(vectors - vectors[:, :1], axis=2)
-    return bool((away[:, 1:] <= DIGITS * (size[:, 1:] + size[:, :1])).all(axis=0).any())
+    values = numbers_of(g, [n for v in (given, before, *candidates) for n in v], lengths, resting)
+    as_set, base_velocity, *others = np.moveaxis(values.reshape(len(values), -1, 3), 1, 0)
+    alike = []
+    for candidate in others:  # terms may cancel: a wheel is at rest where it touches
+        parts = (as_set, base_velocity, candidate - base_velocity)
+        size = sum(np.linalg.norm(part, axis=1) for part in parts)
+        alike.append((np.linalg.norm(candidate - as_set, axis=1) <= DIGITS * size).all())
+    return bool(np.any(alike))
 
 
 def _offsets(k: Kinematics, point: Point) -> list[tuple[Vec, Vec]]:
