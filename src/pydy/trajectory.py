@@ -37,6 +37,7 @@ from pydy._interpolation import (
 )
 from pydy._names import (
     column_names,
+    counted,
     latex_of,
     latex_of_rate,
     name_of,
@@ -448,7 +449,7 @@ class Trajectory(Continued):
     def __repr__(self) -> str:
         names = ", ".join(self.names[:6]) + (", ..." if len(self.names) > 6 else "")
         span = f" from {self.times[0]} to {self.times[-1]}" if len(self.times) else ""
-        return f"Trajectory of {names} at {len(self.times)} times{span}"
+        return f"Trajectory of {names} at {counted(len(self.times), 'time')}{span}"
 
     def _repr_html_(self) -> str:
         return table_of_columns(repr(self), self.names[: self.states.shape[1]], self.states)

@@ -10,7 +10,7 @@ import sympy as sm
 
 from pydy._assembly import Definition
 from pydy._checks import merged
-from pydy._names import name_of, some, unique_names
+from pydy._names import counted, name_of, some, unique_names
 
 if TYPE_CHECKING:
     from pydy._mechanics import Equations
@@ -36,8 +36,8 @@ def summary(
     further = (s for s in (*event_constants, *constants) if s not in in_definition)
     other_constants = {name_of(s): s for s in further}
     lines = [
-        ("equations", f"from {method}, {len(equations.coordinates)} coordinates, "
-         f"{len(equations.speeds)} speeds"),
+        ("equations", f"from {method}, {counted(len(equations.coordinates), 'coordinate')}, "
+         f"{counted(len(equations.speeds), 'speed')}"),
         ("states", _values(definition.states, merged(values["initial_conditions"]), "0.0")),
         ("constants", _values(definition.constants, constants, "1.0")),
         ("elsewhere", _values([*other_constants.values()], constants, "1.0")),

@@ -196,11 +196,14 @@ class Definition:
 
     def __repr__(self) -> str:
         constraints = len(self.holonomic_constraints) + len(self.nonholonomic_constraints)
-        counts = (
-            f"{len(self.bodies)} bodies, {len(self.loads)} loads, {len(self.coordinates)} "
-            f"coordinates, {len(self.speeds)} speeds, {constraints} constraints"
+        parts = (
+            f"{len(self.bodies)} {'body' if len(self.bodies) == 1 else 'bodies'}",
+            counted(len(self.loads), "load"),
+            counted(len(self.coordinates), "coordinate"),
+            counted(len(self.speeds), "speed"),
+            counted(constraints, "constraint"),
         )
-        return f"<Definition in {self.frame}: {counts}>"
+        return f"<Definition in {self.frame}: {', '.join(parts)}>"
 
     @cached_property
     def velocity_constraints(self) -> tuple[sm.Expr, ...]:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from pydy._checks import check_mapping, choice, flag, positive
 from pydy._errors import RobotFileError
 from pydy._files import path_of
-from pydy._names import few
+from pydy._names import counted, few
 from pydy.mechanics import Definition
 from pydy.robots.assemble import JointSymbols, Place, RobotAssembly, TendonSymbols
 from pydy.robots.mjcf import read_mjcf
@@ -70,12 +70,12 @@ class Robot:
     def __repr__(self) -> str:
         definition = self.definition
         parts = (
-            f"{len(self._link_frames) - 1} links",
-            f"{len(self.joints)} joints",
-            f"{len(definition.coordinates)} coordinates",
-            f"{len(definition.speeds)} speeds",
-            f"{len(self.actuators)} actuators",
-            f"{len(definition.holonomic_constraints)} constraints",
+            counted(len(self._link_frames) - 1, "link"),
+            counted(len(self.joints), "joint"),
+            counted(len(definition.coordinates), "coordinate"),
+            counted(len(definition.speeds), "speed"),
+            counted(len(self.actuators), "actuator"),
+            counted(len(definition.holonomic_constraints), "constraint"),
         )
         omissions = f"; left out: {few(self.left_out)}" if self.left_out else ""
         return f"<Robot '{self.name}': {', '.join(parts)}{omissions}>"
@@ -229,7 +229,7 @@ def read(
     >>> from importlib.resources import files
     >>> from pydy.robots import read
     >>> read(files('pydy.examples') / 'pendulum.urdf')
-    <Robot 'pendulum': 2 links, 1 joints, 1 coordinates, 1 speeds, 1 actuators, 0 constraints>
+    <Robot 'pendulum': 2 links, 1 joint, 1 coordinate, 1 speed, 1 actuator, 0 constraints>
     """
     choice(parameters, ("symbols", "numbers"), "`parameters`")
     if friction_speed is not None:
