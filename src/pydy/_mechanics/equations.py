@@ -17,7 +17,7 @@ from pydy._forks import cached_property
 from pydy._mechanics.constraints import ConstraintEquations
 from pydy._mechanics.equation_graph import EquationGraph
 from pydy._mechanics.forces import ConstraintForces
-from pydy._mechanics.frame_tree import FrameTree, velocities_in
+from pydy._mechanics.frame_tree import FrameTree, given_velocity, velocities_in
 from pydy._mechanics.kinematic_constraints import DependentStates
 from pydy._mechanics.kinematic_equations import KinematicEquations
 from pydy._mechanics.multibody import Multibody
@@ -94,9 +94,24 @@ class Mechanism:
     @cached_property
     def parts(self) -> tuple[sm.Expr, ...]:
         """Masses, velocities, loads and inertias of rotating bodies: the terms of energies."""
+        return self._terms(self.body_velocities.values())
+
+    @cached_property
+    def written_parts(self) -> tuple[sm.Expr, ...]:
+        """The same without velocities that nobody set: SymPy takes seconds to derive them."""
+        return self._terms(v for v in self._set_velocities() if v is not None)
+
+    @property
+    def velocities_are_set(self) -> bool:
+        """Whether the user set the velocities of all mass centres."""
+        return None not in self._set_velocities()
+
+    def _set_velocities(self) -> list[Vector | None]:
+        return [given_velocity(body.masscenter, self.frame) for body in self.bodies]
+
+    def _terms(self, velocities: Iterable[Vector]) -> tuple[sm.Expr, ...]:
         parts = [body.mass for body in self.bodies]
-        vectors = [vector for _, vector in self.loads]
-        vectors += self.body_velocities.values()
+        vectors = [*(vector for _, vector in self.loads), *velocities]
         for body in self.bodies:
             if (sizes := self._inertias(body)) and body.frame.ang_vel_in(self.frame) != 0:
                 parts += sizes

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import sympy as sm
+from sympy.core.function import AppliedUndef
 
 from pydy._assembly import CompiledModel, Layout
 from pydy._checks import describe, shown
@@ -91,7 +92,7 @@ class EnergyModel:
         if equations.multibody is not None and equations.multibody.potential is not None:
             parts.append(equations.multibody.potential)
         if mechanism is not None:
-            parts += [*mechanism.parts]
+            parts += [*mechanism.written_parts]
             parts += [body.potential_energy for body in mechanism.bodies]
             points = [body.masscenter for body in mechanism.bodies]
             for point in points:
@@ -104,7 +105,12 @@ class EnergyModel:
         kinematics = equations.kinematics
         states = {*equations.coordinates, *equations.speeds, *kinematics.zeros, equations.time}
         states.update((*kinematics.coordinate_rates, *kinematics.speed_rates))
-        return tuple(s for s in found if s not in states)
+        held = dict.fromkeys(s for s in found if s not in states)
+        if mechanism is not None and not mechanism.velocities_are_set:
+            # Of motions in positions, velocities that are derived hold the rates.
+            functions = [s for s in held if isinstance(s, AppliedUndef)]
+            held |= dict.fromkeys(s.diff(equations.time) for s in functions)
+        return tuple(held)
 
     def expressions(self, layout: Layout) -> tuple[Any, Any]:
         """Return the kinetic and the potential energy; 1 stands for constants without a value."""
