@@ -8,7 +8,7 @@ from sympy.physics.mechanics import Point, ReferenceFrame
 import zoo
 from pydy.examples import bicycle_ride
 from pydy.models import n_link_pendulum_on_cart
-from pydy.viz import Live, Slider, Sphere, Visual
+from pydy.viz import Box, Live, Slider, Sphere, Visual
 from waiting import until
 from zoo import pictured
 from zoo.cases import system_of
@@ -226,3 +226,105 @@ def test_on_a_phone_the_parameters_are_below_the_picture(open_page, tmp_path):
     assert canvas["height"] > 150
     page.set_viewport_size({"width": 1000, "height": 700})
     until(page, "document.getElementById('view').contains(document.getElementById('live'))")
+
+
+# -- the picture is what the panel leaves free -----------------------------------------------------
+
+
+@pytest.fixture(scope="module")
+def wide_box(tmp_path_factory):
+    """A page with a red box at rest, wider than high, in the middle of what is seen."""
+    system, _ = ball()
+    frame, origin = ReferenceFrame("N"), Point("O")
+    box = Visual(Box(4.0, 1.0, 0.5, colour="#ff0000"), frame, origin)
+    scene = system.scene(box, reference_frame=frame, origin=origin, up="y", ground=False)
+    scene.animate(system.simulate())
+    path = tmp_path_factory.mktemp("panel") / "box.html"
+    return scene.to_html(path, live={"y": (0.2, 2.0)}, theme="light")
+
+
+def red_part(page, screenshot):
+    """The columns and rows of the window from the first that shows the box to the last, and past."""
+    page.wait_for_timeout(200)  # for the observer of sizes, and the next frame
+    red, green, blue = np.moveaxis(screenshot(page, "live-box"), 2, 0)
+    rows, columns = np.nonzero((red > 1.5 * green) & (red > 1.5 * blue) & (red > 100.0))
+    # The legend's key and the tip of an axis are red too: they are small.
+    wide = np.bincount(columns, minlength=red.shape[1]) > 30
+    high = np.bincount(rows, minlength=red.shape[0]) > 60
+    return [(int(np.flatnonzero(hit)[0]), int(np.flatnonzero(hit)[-1]) + 1) for hit in (wide, high)]
+
+
+def assert_fills(page, screenshot, left):
+    """The box's face is in the middle of what is right of `left`, and takes most of its width."""
+    canvas = page.locator("#stage").bounding_box()
+    (first, last), (top, bottom) = red_part(page, screenshot)
+    free = canvas["width"] - left
+    assert (first + last) / 2 == pytest.approx(left + free / 2, abs=2.0)
+    assert (top + bottom) / 2 == pytest.approx(canvas["height"] / 2, abs=2.0)
+    assert last - first == pytest.approx(0.86 * free, abs=3.0)  # FILL in stage.js
+
+
+def test_the_scene_is_fitted_beside_the_panel_and_into_all_without_it(
+    wide_box, open_page, screenshot
+):
+    page = open_page(wide_box, 1100, 700)
+    page.evaluate("pydy.pause()")
+    page.keyboard.press("a")  # no axes
+    page.keyboard.press("z")
+    panel = page.locator("#live").bounding_box()
+    edge = panel["x"] + panel["width"]
+    assert edge == 280.0
+    assert_fills(page, screenshot, edge)
+    page.locator("#live .toggle").click()
+    assert_fills(page, screenshot, 0.0)
+    page.locator("#live .toggle").click()
+    assert_fills(page, screenshot, edge)
+    page.set_viewport_size({"width": 800, "height": 700})
+    assert_fills(page, screenshot, edge)
+    page.set_viewport_size({"width": 1000, "height": 760})
+    assert_fills(page, screenshot, edge)
+    page.keyboard.press("r")
+    page.keyboard.press("z")
+    assert_fills(page, screenshot, edge)
+
+
+def test_a_saved_picture_is_the_part_that_the_panel_leaves_free(wide_box, open_page, tmp_path):
+    page = open_page(wide_box, 1100, 700)
+    page.evaluate("pydy.pause()")
+    page.keyboard.press("z")
+    with page.expect_download() as waiting:
+        page.keyboard.press("s")
+    waiting.value.save_as(tmp_path / "box.png")
+    from PIL import Image
+
+    with Image.open(tmp_path / "box.png") as picture:
+        pixels = np.asarray(picture.convert("RGB"), dtype=float)
+    assert pixels.shape[1] == 1100 - 280
+    columns = np.flatnonzero((pixels[..., 0] > 1.5 * pixels[..., 1]).sum(axis=0) > 30)
+    assert (columns[0] + columns[-1] + 1) / 2 == pytest.approx(pixels.shape[1] / 2, abs=2.0)
+
+
+def test_a_reader_keeps_the_view_when_the_panel_is_closed_and_opened(wide_box, open_page):
+    page = open_page(wide_box, 1100, 700)
+    page.evaluate("pydy.pause()")
+    page.mouse.move(700, 300)
+    page.mouse.down()
+    page.mouse.move(800, 350, steps=4)
+    page.mouse.up()
+    page.mouse.wheel(0, -300)
+    seen = []
+
+    def at_rest():
+        page.wait_for_timeout(200)
+        seen.append(page.evaluate("pydy.camera()"))
+        return seen[-1] in seen[-2:-1]
+
+    until(page, at_rest)  # the swing ends
+    before = np.array(page.evaluate("pydy.camera()"))
+    page.locator("#live .toggle").click()
+    closed = np.array(page.evaluate("pydy.camera()"))
+    page.locator("#live .toggle").click()
+    after = np.array(page.evaluate("pydy.camera()"))
+    directions = [(eye - at) / np.linalg.norm(eye - at) for eye, at in (before, closed, after)]
+    assert directions[1] == pytest.approx(directions[0], abs=1e-12)
+    assert after == pytest.approx(before, rel=1e-12, abs=1e-12)

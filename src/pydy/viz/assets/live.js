@@ -215,6 +215,8 @@ function fillPanel() {
   const open = (on) => {
     toggle.setAttribute("aria-expanded", String(on));
     rows.hidden = !on;
+    resize();
+    invalidate();
   };
   toggle.addEventListener("click", () => open(rows.hidden));
   head.append(toggle);
@@ -249,11 +251,12 @@ function fillPanel() {
     change(one, one.value);
   }
   panel.append(head, rows, complaint);
-  open(innerWidth > 640);
-  const picture = document.getElementById("view"), narrow = matchMedia("(max-width: 640px)");
-  const settle = () => (narrow.matches ? picture.after(panel) : picture.append(panel));
+  const stage = document.getElementById("view"), narrow = matchMedia("(max-width: 640px)");
+  const settle = () => (narrow.matches ? stage.after(panel) : stage.append(panel));
   narrow.addEventListener("change", settle);
   settle();
+  coveredWidth = () => (narrow.matches || rows.hidden ? 0 : panel.offsetLeft + panel.offsetWidth);
+  open(innerWidth > 640);
 }
 
 button(switchBox, "One frame on (→)", "M6 5l9 7-9 7zM18 5v14", () => {
