@@ -8,7 +8,7 @@ from sympy.physics.mechanics import Point, ReferenceFrame
 import zoo
 from pydy.examples import bicycle_ride
 from pydy.models import n_link_pendulum_on_cart
-from pydy.viz import Box, Live, Slider, Sphere, Visual
+from pydy.viz import Arrow, Box, Line, Live, Slider, Sphere, Visual
 from waiting import until
 from zoo import pictured
 from zoo.cases import system_of
@@ -328,3 +328,77 @@ def test_a_reader_keeps_the_view_when_the_panel_is_closed_and_opened(wide_box, o
     directions = [(eye - at) / np.linalg.norm(eye - at) for eye, at in (before, closed, after)]
     assert directions[1] == pytest.approx(directions[0], abs=1e-12)
     assert after == pytest.approx(before, rel=1e-12, abs=1e-12)
+
+
+# -- the ground is below the motion ----------------------------------------------------------------
+
+
+def longer(system, length):
+    """The heights of the bobs when the links of the pendulum have a length, (instants, 3)."""
+    system.constants = {**system.constants, "l0": length}
+    trajectory = system.simulate(rtol=1e-8, atol=1e-8)
+    return system.scene().animate(trajectory, fps=None).poses[:, :3, 1, 3]
+
+
+def bobs(*more, **options):
+    """The pendulum, of which the balls of its bobs and what is given are seen, and its scene."""
+    system = pendulum()
+    plain = system.scene()
+    points = [visual.point for visual in plain.visuals[:3]]
+    balls = [Visual(Sphere(0.1), point) for point in points]
+    scene = system.scene(*balls, *(make(plain.reference_frame, points) for make in more), **options)
+    return system, scene.animate(system.simulate(), fps=None)
+
+
+def test_the_ground_is_lowered_with_the_motion_and_raised_again(open_page, tmp_path):
+    system, scene = bobs()
+    page = open_page(scene.to_html(tmp_path / "live.html", live={"l0": (0.1, 3.0)}), 320, 260)
+    first = page.evaluate("pydy.ground")
+    assert first == pytest.approx(longer(system, 0.7).min() - 0.1, abs=2e-6)
+    for length in (3.0, 2.0):
+        page.evaluate(f"pydy.live.set('l0', {length})")
+        lowest = longer(system, length).min() - 0.1
+        assert lowest < first - 0.3
+        assert page.evaluate("pydy.ground") == pytest.approx(lowest, abs=4e-6)
+    page.evaluate("pydy.live.set('l0', 0.1)")  # never above the first
+    assert page.evaluate("pydy.ground") == pytest.approx(first, abs=2e-6)
+    page.evaluate("pydy.live.set('l0', 0.7)")
+    assert page.evaluate("pydy.ground") == first
+
+
+@pytest.mark.parametrize("ground", [-0.25, 1.0])
+def test_a_ground_of_the_users_height_stays(open_page, tmp_path, ground):
+    _, scene = bobs(ground=ground)
+    page = open_page(scene.to_html(tmp_path / "live.html", live={"l0": (0.1, 3.0)}), 320, 260)
+    page.evaluate("pydy.live.set('l0', 3.0)")
+    assert page.evaluate("pydy.ground") == ground
+
+
+def test_the_ground_is_below_solids_that_turn_and_below_lines_and_arrows(open_page, tmp_path):
+    def bar(frame, points):
+        q1 = pendulum().coordinates[1]
+        turning = frame.orientnew("A", "Axis", (q1, frame.z))
+        return Visual(Box(0.2, 3.0, 0.1), turning, points[2])
+
+    system, scene = bobs(bar)
+    page = open_page(scene.to_html(tmp_path / "bar.html", live={"l0": (0.1, 3.0)}), 320, 260)
+    page.evaluate("pydy.live.set('l0', 2.0)")
+    boxes = page.evaluate(
+        "pydy.times.flatMap((t) => { pydy.seek(t); return pydy.boxes().map((box) => box[0][1]); })"
+    )
+    lowest = min(boxes)
+    assert lowest < longer(system, 2.0).min() - 0.2
+    assert page.evaluate("pydy.ground") == pytest.approx(lowest, abs=4e-6)
+
+    length = sm.Symbol("l0")
+    for make in (
+        lambda frame, points: Visual(Arrow(-length * frame.y, scale=1.0), points[2]),
+        lambda frame, points: Visual(
+            Line([points[2], points[2].locatenew("Q", -length * frame.y)]), points[2]
+        ),
+    ):
+        system, scene = bobs(make)
+        page = open_page(scene.to_html(tmp_path / "more.html", live={"l0": (0.1, 3.0)}), 320, 260)
+        page.evaluate("pydy.live.set('l0', 3.0)")
+        lowest = longer(system, 3.0).min() - 3.0
+        assert page.evaluate("pydy.ground") == pytest.approx(lowest, abs=4e-6)

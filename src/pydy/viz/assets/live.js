@@ -109,6 +109,53 @@ function resize3() {
   });
 }
 
+// -- ground -----------------------------------------------------------------------------------------
+
+const firstGround = view.ground;
+const ORIGIN = [0, 0, 0], upward = new THREE.Vector3();
+
+/** The lowest height that a visual has in any row: of corners, points of a line or ends of an arrow; at most `low`. */
+function lowestOf({ trackOf: track, offset, points, vectors, object }, low) {
+  const lower = (height) => { if (height < low) low = height; };
+  if (!track) {
+    const { values } = object.column;
+    for (let i = 0; i < values.length; i += 3) lower(up.dot(spot.fromArray(values, i)));
+    return low;
+  }
+  const { places, turns } = track;
+  const surface = !points && !vectors && object.geometry; // a Trace has none, a thin line is no surface
+  const corners = surface ? surface.attributes.position.array : points ? object.column.values : ORIGIN;
+  if (surface) surface.computeBoundingSphere();
+  const ball = surface && surface.boundingSphere; // lines have few points, and need none
+  // The height of a corner c is base + upward · c, with `up` as the body sees it.
+  const baseOf = (k) => {
+    upward.copy(up).applyQuaternion(turn.fromArray(turns.values, turns.offset(k)).conjugate());
+    return up.dot(spot.fromArray(places.values, places.offset(k))) + upward.dot(spot.fromArray(offset));
+  };
+  const rows = [];
+  for (let k = 0; k < count; k++) {
+    const base = baseOf(k), bottom = ball ? base + upward.dot(ball.center) - ball.radius : -Infinity;
+    if (vectors) lower(base + up.dot(spot.fromArray(object.column.values, object.column.offset(k))));
+    if (bottom < low) rows.push([bottom, k]);
+  }
+  // From the lowest sphere up: few rows are left to be looked at corner by corner.
+  rows.sort((a, b) => a[0] - b[0]);
+  for (const [bottom, k] of rows) {
+    if (bottom >= low) break;
+    const base = baseOf(k);
+    for (let i = 0; i < corners.length; i += 3) lower(base + upward.dot(spot.fromArray(corners, i)));
+  }
+  return low;
+}
+
+/** A ground whose height nobody gave is below the motion that is shown, and never above the first. */
+function lowerGround() {
+  if (!live.lowers) return;
+  const solids = visuals.filter((visual) => visual.kind !== "Plane");
+  const low = (solids.length ? solids : visuals).reduce((height, visual) => lowestOf(visual, height), firstGround);
+  view.ground = Number.isFinite(low) ? low : firstGround;
+}
+
 // -- simulating -------------------------------------------------------------------------------------
 
 function restart() {
@@ -153,6 +200,7 @@ function stop(status) {
     setTrail(visual, false);
     setTrail(visual, true);
   }
+  lowerGround();
   fillEvents();
   scaleSeries();
   drawStrip();
