@@ -402,3 +402,34 @@ def test_the_ground_is_below_solids_that_turn_and_below_lines_and_arrows(open_pa
         page.evaluate("pydy.live.set('l0', 3.0)")
         lowest = longer(system, 3.0).min() - 3.0
         assert page.evaluate("pydy.ground") == pytest.approx(lowest, abs=4e-6)
+
+
+def test_a_reset_of_the_view_shows_the_motion_and_the_first_one(open_page, tmp_path):
+    system, scene = bobs()
+    page = open_page(scene.to_html(tmp_path / "live.html", live={"l0": (0.1, 3.0)}), 320, 260)
+    eye, target = np.array(page.evaluate("pydy.camera()"))
+    page.evaluate("pydy.live.set('l0', 3.0)")
+    assert np.array(page.evaluate("pydy.camera()")) == pytest.approx(np.array([eye, target]))
+    page.keyboard.press("r")
+    seen, middle = np.array(page.evaluate("pydy.camera()"))
+    heights = [longer(system, length) for length in (0.7, 3.0)]
+    low, high = min(h.min() for h in heights) - 0.1, max(h.max() for h in heights) + 0.1
+    assert middle[1] == pytest.approx((low + high) / 2, abs=4e-6)
+    assert np.linalg.norm(seen - middle) > 1.5 * np.linalg.norm(eye - target)
+    page.evaluate("pydy.live.set('l0', 0.7)")
+    page.keyboard.press("r")
+    assert np.array(page.evaluate("pydy.camera()")) == pytest.approx(
+        np.array([eye, target]), abs=1e-5
+    )
+
+
+def test_a_link_to_a_view_is_followed_by_a_live_page(open_page, tmp_path):
+    _, scene = bobs()
+    page = open_page(scene.to_html(tmp_path / "live.html", live={"l0": (0.1, 3.0)}), 320, 260)
+    page.evaluate("history.replaceState(null, '', '#t=0.5&from=3,4,5&to=0.1,0.2,0.3')")
+    page.reload()
+    until(page, "window.pydy && window.pydy.live")
+    assert page.evaluate("pydy.time") == 0.5
+    assert np.array(page.evaluate("pydy.camera()")) == pytest.approx(
+        np.array([[3.0, 4.0, 5.0], [0.1, 0.2, 0.3]])
+    )

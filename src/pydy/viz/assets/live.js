@@ -109,13 +109,14 @@ function resize3() {
   });
 }
 
-// -- ground -----------------------------------------------------------------------------------------
+// -- ground and view --------------------------------------------------------------------------------
 
-const firstGround = view.ground;
-const ORIGIN = [0, 0, 0], upward = new THREE.Vector3();
+const firstGround = view.ground, ORIGIN = [0, 0, 0], upward = new THREE.Vector3();
+const firstLow = view.target.map((middle, i) => middle - view.extent[i] / 2);
+const firstHigh = view.target.map((middle, i) => middle + view.extent[i] / 2);
 
-/** The lowest height that a visual has in any row: of corners, points of a line or ends of an arrow; at most `low`. */
-function lowestOf({ trackOf: track, offset, points, vectors, object }, low) {
+/** The lowest height along `up` in any row, of a visual's corners, points or ends; at most `low`. */
+function lowestOf({ trackOf: track, offset, points, vectors, object }, up, low) {
   const lower = (height) => { if (height < low) low = height; };
   if (!track) {
     const { values } = object.column;
@@ -127,7 +128,7 @@ function lowestOf({ trackOf: track, offset, points, vectors, object }, low) {
   const corners = surface ? surface.attributes.position.array : points ? object.column.values : ORIGIN;
   if (surface) surface.computeBoundingSphere();
   const ball = surface && surface.boundingSphere; // lines have few points, and need none
-  // The height of a corner c is base + upward · c, with `up` as the body sees it.
+  // The height of a corner c is base + upward · c, where `upward` is `up` as the body sees it.
   const baseOf = (k) => {
     upward.copy(up).applyQuaternion(turn.fromArray(turns.values, turns.offset(k)).conjugate());
     return up.dot(spot.fromArray(places.values, places.offset(k))) + upward.dot(spot.fromArray(offset));
@@ -148,12 +149,21 @@ function lowestOf({ trackOf: track, offset, points, vectors, object }, low) {
   return low;
 }
 
-/** A ground whose height nobody gave is below the motion that is shown, and never above the first. */
-function lowerGround() {
-  if (!live.lowers) return;
-  const solids = visuals.filter((visual) => visual.kind !== "Plane");
-  const low = (solids.length ? solids : visuals).reduce((height, visual) => lowestOf(visual, height), firstGround);
-  view.ground = Number.isFinite(low) ? low : firstGround;
+/** The ground, unless its height was given, is below the motion; resetting the view shows it and the first one. */
+function frameMotion() {
+  const solids = visuals.filter((visual) => visual.kind !== "Plane"), framed = solids.length ? solids : visuals;
+  const lowest = (up, first) => {
+    const low = framed.reduce((height, visual) => lowestOf(visual, up, height), first);
+    return Number.isFinite(low) ? low : first;
+  };
+  if (live.lowers) view.ground = lowest(up, firstGround);
+  if (path) return; // the box goes along with what travels
+  firstLow.forEach((first, i) => {
+    const axis = new THREE.Vector3().setComponent(i, 1);
+    const low = lowest(axis, first), high = -lowest(axis.negate(), -firstHigh[i]);
+    view.target[i] = (low + high) / 2;
+    view.extent[i] = high - low;
+  });
 }
 
 // -- simulating -------------------------------------------------------------------------------------
@@ -200,7 +210,7 @@ function stop(status) {
     setTrail(visual, false);
     setTrail(visual, true);
   }
-  lowerGround();
+  frameMotion();
   fillEvents();
   scaleSeries();
   drawStrip();
@@ -314,6 +324,7 @@ button(switchBox, "One frame on (→)", "M6 5l9 7-9 7zM18 5v14", () => {
 fillPanel();
 workAll();
 lookFrom();
+goToMoment(location.hash);
 show();
 requestAnimationFrame(liveTick);
 
