@@ -244,7 +244,7 @@ def wide_box(tmp_path_factory):
 
 
 def red_part(page, screenshot):
-    """The columns and rows of the window from the first that shows the box to the last, and past."""
+    """The first and past the last of the columns, and of the rows, that show the box."""
     page.wait_for_timeout(200)  # for the observer of sizes, and the next frame
     red, green, blue = np.moveaxis(screenshot(page, "live-box"), 2, 0)
     rows, columns = np.nonzero((red > 1.5 * green) & (red > 1.5 * blue) & (red > 100.0))
