@@ -8,7 +8,7 @@ from sympy.physics.mechanics import Point, ReferenceFrame
 import zoo
 from pydy.examples import bicycle_ride
 from pydy.models import n_link_pendulum_on_cart
-from pydy.viz import Live, Slider, Sphere, Visual
+from pydy.viz import Arrow, Box, Line, Live, Slider, Sphere, Visual
 from waiting import until
 from zoo import pictured
 from zoo.cases import system_of
@@ -226,3 +226,210 @@ def test_on_a_phone_the_parameters_are_below_the_picture(open_page, tmp_path):
     assert canvas["height"] > 150
     page.set_viewport_size({"width": 1000, "height": 700})
     until(page, "document.getElementById('view').contains(document.getElementById('live'))")
+
+
+# -- the picture is what the panel leaves free -----------------------------------------------------
+
+
+@pytest.fixture(scope="module")
+def wide_box(tmp_path_factory):
+    """A page with a red box at rest, wider than high, in the middle of what is seen."""
+    system, _ = ball()
+    frame, origin = ReferenceFrame("N"), Point("O")
+    box = Visual(Box(4.0, 1.0, 0.5, colour="#ff0000"), frame, origin)
+    scene = system.scene(box, reference_frame=frame, origin=origin, up="y", ground=False)
+    scene.animate(system.simulate())
+    path = tmp_path_factory.mktemp("panel") / "box.html"
+    return scene.to_html(path, live={"y": (0.2, 2.0)}, theme="light")
+
+
+def red_part(page, screenshot):
+    """The first and past the last of the columns, and of the rows, that show the box."""
+    page.wait_for_timeout(200)  # for the observer of sizes, and the next frame
+    red, green, blue = np.moveaxis(screenshot(page, "live-box"), 2, 0)
+    rows, columns = np.nonzero((red > 1.5 * green) & (red > 1.5 * blue) & (red > 100.0))
+    # The legend's key and the tip of an axis are red too: they are small.
+    wide = np.bincount(columns, minlength=red.shape[1]) > 30
+    high = np.bincount(rows, minlength=red.shape[0]) > 60
+    return [(int(np.flatnonzero(hit)[0]), int(np.flatnonzero(hit)[-1]) + 1) for hit in (wide, high)]
+
+
+def assert_fills(page, screenshot, left):
+    """The box's face is in the middle of what is right of `left`, and takes most of its width."""
+    canvas = page.locator("#stage").bounding_box()
+    (first, last), (top, bottom) = red_part(page, screenshot)
+    free = canvas["width"] - left
+    assert (first + last) / 2 == pytest.approx(left + free / 2, abs=2.0)
+    assert (top + bottom) / 2 == pytest.approx(canvas["height"] / 2, abs=2.0)
+    assert last - first == pytest.approx(0.86 * free, abs=3.0)  # FILL in stage.js
+
+
+def test_the_scene_is_fitted_beside_the_panel_and_into_all_without_it(
+    wide_box, open_page, screenshot
+):
+    page = open_page(wide_box, 1100, 700)
+    page.evaluate("pydy.pause()")
+    page.keyboard.press("a")  # no axes
+    page.keyboard.press("z")
+    panel = page.locator("#live").bounding_box()
+    edge = panel["x"] + panel["width"]
+    assert edge == 280.0
+    assert_fills(page, screenshot, edge)
+    page.locator("#live .toggle").click()
+    assert_fills(page, screenshot, 0.0)
+    page.locator("#live .toggle").click()
+    assert_fills(page, screenshot, edge)
+    page.set_viewport_size({"width": 800, "height": 700})
+    assert_fills(page, screenshot, edge)
+    page.set_viewport_size({"width": 1000, "height": 760})
+    assert_fills(page, screenshot, edge)
+    page.keyboard.press("r")
+    page.keyboard.press("z")
+    assert_fills(page, screenshot, edge)
+
+
+def test_a_saved_picture_is_the_part_that_the_panel_leaves_free(wide_box, open_page, tmp_path):
+    page = open_page(wide_box, 1100, 700)
+    page.evaluate("pydy.pause()")
+    page.keyboard.press("z")
+    with page.expect_download() as waiting:
+        page.keyboard.press("s")
+    waiting.value.save_as(tmp_path / "box.png")
+    from PIL import Image
+
+    with Image.open(tmp_path / "box.png") as picture:
+        pixels = np.asarray(picture.convert("RGB"), dtype=float)
+    assert pixels.shape[1] == 1100 - 280
+    columns = np.flatnonzero((pixels[..., 0] > 1.5 * pixels[..., 1]).sum(axis=0) > 30)
+    assert (columns[0] + columns[-1] + 1) / 2 == pytest.approx(pixels.shape[1] / 2, abs=2.0)
+
+
+def test_a_reader_keeps_the_view_when_the_panel_is_closed_and_opened(wide_box, open_page):
+    page = open_page(wide_box, 1100, 700)
+    page.evaluate("pydy.pause()")
+    page.mouse.move(700, 300)
+    page.mouse.down()
+    page.mouse.move(800, 350, steps=4)
+    page.mouse.up()
+    page.mouse.wheel(0, -300)
+    seen = []
+
+    def at_rest():
+        page.wait_for_timeout(200)
+        seen.append(page.evaluate("pydy.camera()"))
+        return seen[-1] in seen[-2:-1]
+
+    until(page, at_rest)  # the swing ends
+    before = np.array(page.evaluate("pydy.camera()"))
+    page.locator("#live .toggle").click()
+    closed = np.array(page.evaluate("pydy.camera()"))
+    page.locator("#live .toggle").click()
+    after = np.array(page.evaluate("pydy.camera()"))
+    directions = [(eye - at) / np.linalg.norm(eye - at) for eye, at in (before, closed, after)]
+    assert directions[1] == pytest.approx(directions[0], abs=1e-12)
+    assert after == pytest.approx(before, rel=1e-12, abs=1e-12)
+
+
+# -- the ground is below the motion ----------------------------------------------------------------
+
+
+def longer(system, length):
+    """The heights of the bobs when the links of the pendulum have a length, (instants, 3)."""
+    system.constants = {**system.constants, "l0": length}
+    trajectory = system.simulate(rtol=1e-8, atol=1e-8)
+    return system.scene().animate(trajectory, fps=None).poses[:, :3, 1, 3]
+
+
+def bobs(*more, **options):
+    """The pendulum, of which the balls of its bobs and what is given are seen, and its scene."""
+    system = pendulum()
+    plain = system.scene()
+    points = [visual.point for visual in plain.visuals[:3]]
+    balls = [Visual(Sphere(0.1), point) for point in points]
+    scene = system.scene(*balls, *(make(plain.reference_frame, points) for make in more), **options)
+    return system, scene.animate(system.simulate(), fps=None)
+
+
+def test_the_ground_is_lowered_with_the_motion_and_raised_again(open_page, tmp_path):
+    system, scene = bobs()
+    page = open_page(scene.to_html(tmp_path / "live.html", live={"l0": (0.1, 3.0)}), 320, 260)
+    first = page.evaluate("pydy.ground")
+    assert first == pytest.approx(longer(system, 0.7).min() - 0.1, abs=2e-6)
+    for length in (3.0, 2.0):
+        page.evaluate(f"pydy.live.set('l0', {length})")
+        lowest = longer(system, length).min() - 0.1
+        assert lowest < first - 0.3
+        assert page.evaluate("pydy.ground") == pytest.approx(lowest, abs=4e-6)
+    page.evaluate("pydy.live.set('l0', 0.1)")  # never above the first
+    assert page.evaluate("pydy.ground") == pytest.approx(first, abs=2e-6)
+    page.evaluate("pydy.live.set('l0', 0.7)")
+    assert page.evaluate("pydy.ground") == first
+
+
+@pytest.mark.parametrize("ground", [-0.25, 1.0])
+def test_a_ground_of_the_users_height_stays(open_page, tmp_path, ground):
+    _, scene = bobs(ground=ground)
+    page = open_page(scene.to_html(tmp_path / "live.html", live={"l0": (0.1, 3.0)}), 320, 260)
+    page.evaluate("pydy.live.set('l0', 3.0)")
+    assert page.evaluate("pydy.ground") == ground
+
+
+def test_the_ground_is_below_solids_that_turn_and_below_lines_and_arrows(open_page, tmp_path):
+    def bar(frame, points):
+        q1 = pendulum().coordinates[1]
+        turning = frame.orientnew("A", "Axis", (q1, frame.z))
+        return Visual(Box(0.2, 3.0, 0.1), turning, points[2])
+
+    system, scene = bobs(bar)
+    page = open_page(scene.to_html(tmp_path / "bar.html", live={"l0": (0.1, 3.0)}), 320, 260)
+    page.evaluate("pydy.live.set('l0', 2.0)")
+    boxes = page.evaluate(
+        "pydy.times.flatMap((t) => { pydy.seek(t); return pydy.boxes().map((box) => box[0][1]); })"
+    )
+    lowest = min(boxes)
+    assert lowest < longer(system, 2.0).min() - 0.2
+    assert page.evaluate("pydy.ground") == pytest.approx(lowest, abs=4e-6)
+
+    length = sm.Symbol("l0")
+    for make in (
+        lambda frame, points: Visual(Arrow(-length * frame.y, scale=1.0), points[2]),
+        lambda frame, points: Visual(
+            Line([points[2], points[2].locatenew("Q", -length * frame.y)]), points[2]
+        ),
+    ):
+        system, scene = bobs(make)
+        page = open_page(scene.to_html(tmp_path / "more.html", live={"l0": (0.1, 3.0)}), 320, 260)
+        page.evaluate("pydy.live.set('l0', 3.0)")
+        lowest = longer(system, 3.0).min() - 3.0
+        assert page.evaluate("pydy.ground") == pytest.approx(lowest, abs=4e-6)
+
+
+def test_a_reset_of_the_view_shows_the_motion_and_the_first_one(open_page, tmp_path):
+    system, scene = bobs()
+    page = open_page(scene.to_html(tmp_path / "live.html", live={"l0": (0.1, 3.0)}), 320, 260)
+    eye, target = np.array(page.evaluate("pydy.camera()"))
+    page.evaluate("pydy.live.set('l0', 3.0)")
+    assert np.array(page.evaluate("pydy.camera()")) == pytest.approx(np.array([eye, target]))
+    page.keyboard.press("r")
+    seen, middle = np.array(page.evaluate("pydy.camera()"))
+    heights = [longer(system, length) for length in (0.7, 3.0)]
+    low, high = min(h.min() for h in heights) - 0.1, max(h.max() for h in heights) + 0.1
+    assert middle[1] == pytest.approx((low + high) / 2, abs=4e-6)
+    assert np.linalg.norm(seen - middle) > 1.5 * np.linalg.norm(eye - target)
+    page.evaluate("pydy.live.set('l0', 0.7)")
+    page.keyboard.press("r")
+    assert np.array(page.evaluate("pydy.camera()")) == pytest.approx(
+        np.array([eye, target]), abs=1e-5
+    )
+
+
+def test_a_link_to_a_view_is_followed_by_a_live_page(open_page, tmp_path):
+    _, scene = bobs()
+    page = open_page(scene.to_html(tmp_path / "live.html", live={"l0": (0.1, 3.0)}), 320, 260)
+    page.evaluate("history.replaceState(null, '', '#t=0.5&from=3,4,5&to=0.1,0.2,0.3')")
+    page.reload()
+    until(page, "window.pydy && window.pydy.live")
+    assert page.evaluate("pydy.time") == 0.5
+    assert np.array(page.evaluate("pydy.camera()")) == pytest.approx(
+        np.array([[3.0, 4.0, 5.0], [0.1, 0.2, 0.3]])
+    )

@@ -3,8 +3,9 @@
 `LivePage.code` writes the model and further Programs in JavaScript: poses of frames and points,
 formulas of curves, sizes of shapes, and initial conditions that sliders set. After a slider moves,
 ``assets/live.js`` calls these: ``writeRow`` moves visuals on their tracks and the points of lines,
-``resize3`` changes sizes. Everything else of the page is as for the first motion: the height of the
-ground and the view, for instance.
+``resize3`` changes sizes, and ``frameMotion`` the ground, if its height was not given, and what a
+reset of the view shows. Everything else of the page is as for the first motion: the colours, for
+instance.
 """
 
 from __future__ import annotations

@@ -164,7 +164,10 @@ def page_data(
         data["series"] = [
             [*source, factor] for source, factor in zip(live.plotted, factors, strict=True)
         ]
-        live_data["live"] = {"code": code, **data, "buckets": BUCKETS}
+        # A height that nobody gave follows the motion: `frame` has the same defaults.
+        given = settings.ground is not None and settings.ground is not True
+        lowers = animation.ground is None and not given
+        live_data["live"] = {"code": code, **data, "buckets": BUCKETS, "lowers": lowers}
     clocks = _Clocks()
     series = [
         _curve(label, curve, settings.units.get(label, _NO_UNIT), CYCLE[k % len(CYCLE)], clocks)

@@ -276,6 +276,8 @@ window.pydy = {
   },
   /** The colours that the visuals have on this page, light or dark: "#rrggbb". */
   colours() { return visuals.map((visual) => `#${visual.painted.getHexString()}`); },
+  /** How high the ground is along the upward direction, or null. */
+  get ground() { return view.ground === null ? null : unit * view.ground; },
   /** Where the camera is and what it looks at. */
   camera() { return [camera.position, controls.target].map((place) => place.clone().multiplyScalar(unit).toArray()); },
   /** What the last frames cost, medians in milliseconds of script; `drawing` commands are part of `all`. */

@@ -109,6 +109,63 @@ function resize3() {
   });
 }
 
+// -- ground and view --------------------------------------------------------------------------------
+
+const firstGround = view.ground, ORIGIN = [0, 0, 0], upward = new THREE.Vector3();
+const firstLow = view.target.map((middle, i) => middle - view.extent[i] / 2);
+const firstHigh = view.target.map((middle, i) => middle + view.extent[i] / 2);
+
+/** The lowest height along `up` in any row, of a visual's corners, points or ends; at most `low`. */
+function lowestOf({ trackOf: track, offset, points, vectors, object }, up, low) {
+  const lower = (height) => { if (height < low) low = height; };
+  if (!track) {
+    const { values } = object.column;
+    for (let i = 0; i < values.length; i += 3) lower(up.dot(spot.fromArray(values, i)));
+    return low;
+  }
+  const { places, turns } = track;
+  const surface = !points && !vectors && object.geometry; // a Trace has none, a thin line is no surface
+  const corners = surface ? surface.attributes.position.array : points ? object.column.values : ORIGIN;
+  if (surface) surface.computeBoundingSphere();
+  const ball = surface && surface.boundingSphere; // lines have few points, and need none
+  // The height of a corner c is base + upward · c, where `upward` is `up` as the body sees it.
+  const baseOf = (k) => {
+    upward.copy(up).applyQuaternion(turn.fromArray(turns.values, turns.offset(k)).conjugate());
+    return up.dot(spot.fromArray(places.values, places.offset(k))) + upward.dot(spot.fromArray(offset));
+  };
+  const rows = [];
+  for (let k = 0; k < count; k++) {
+    const base = baseOf(k), bottom = ball ? base + upward.dot(ball.center) - ball.radius : -Infinity;
+    if (vectors) lower(base + up.dot(spot.fromArray(object.column.values, object.column.offset(k))));
+    if (bottom < low) rows.push([bottom, k]);
+  }
+  // From the lowest sphere up: few rows are left to be looked at corner by corner.
+  rows.sort((a, b) => a[0] - b[0]);
+  for (const [bottom, k] of rows) {
+    if (bottom >= low) break;
+    const base = baseOf(k);
+    for (let i = 0; i < corners.length; i += 3) lower(base + upward.dot(spot.fromArray(corners, i)));
+  }
+  return low;
+}
+
+/** The ground, unless its height was given, is below the motion; resetting the view shows it and the first one. */
+function frameMotion() {
+  const solids = visuals.filter((visual) => visual.kind !== "Plane"), framed = solids.length ? solids : visuals;
+  const lowest = (up, first) => {
+    const low = framed.reduce((height, visual) => lowestOf(visual, up, height), first);
+    return Number.isFinite(low) ? low : first;
+  };
+  if (live.lowers) view.ground = lowest(up, firstGround);
+  if (path) return; // the box goes along with what travels
+  firstLow.forEach((first, i) => {
+    const axis = new THREE.Vector3().setComponent(i, 1);
+    const low = lowest(axis, first), high = -lowest(axis.negate(), -firstHigh[i]);
+    view.target[i] = (low + high) / 2;
+    view.extent[i] = high - low;
+  });
+}
+
 // -- simulating -------------------------------------------------------------------------------------
 
 function restart() {
@@ -153,6 +210,7 @@ function stop(status) {
     setTrail(visual, false);
     setTrail(visual, true);
   }
+  frameMotion();
   fillEvents();
   scaleSeries();
   drawStrip();
@@ -215,6 +273,8 @@ function fillPanel() {
   const open = (on) => {
     toggle.setAttribute("aria-expanded", String(on));
     rows.hidden = !on;
+    resize();
+    invalidate();
   };
   toggle.addEventListener("click", () => open(rows.hidden));
   head.append(toggle);
@@ -249,11 +309,12 @@ function fillPanel() {
     change(one, one.value);
   }
   panel.append(head, rows, complaint);
-  open(innerWidth > 640);
-  const picture = document.getElementById("view"), narrow = matchMedia("(max-width: 640px)");
-  const settle = () => (narrow.matches ? picture.after(panel) : picture.append(panel));
+  const stage = document.getElementById("view"), narrow = matchMedia("(max-width: 640px)");
+  const settle = () => (narrow.matches ? stage.after(panel) : stage.append(panel));
   narrow.addEventListener("change", settle);
   settle();
+  coveredWidth = () => (narrow.matches || rows.hidden ? 0 : panel.offsetLeft + panel.offsetWidth);
+  open(innerWidth > 640);
 }
 
 button(switchBox, "One frame on (→)", "M6 5l9 7-9 7zM18 5v14", () => {
@@ -263,6 +324,7 @@ button(switchBox, "One frame on (→)", "M6 5l9 7-9 7zM18 5v14", () => {
 fillPanel();
 workAll();
 lookFrom();
+goToMoment(location.hash);
 show();
 requestAnimationFrame(liveTick);
 

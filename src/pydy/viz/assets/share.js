@@ -25,15 +25,16 @@ const sheet = document.createElement("canvas");
 
 /** Paint what is seen onto the sheet: paper, stage, title. The stage must just have been drawn. */
 function paintSheet() {
-  const width = canvas.width & ~1, height = canvas.height & ~1; // video wants even numbers
+  const ratio = (canvas.width & ~1) / canvas.clientWidth, left = Math.round(picture.left * ratio);
+  const width = (canvas.width - left) & ~1, height = canvas.height & ~1; // video wants even numbers
   if (sheet.width !== width || sheet.height !== height) Object.assign(sheet, { width, height });
-  const g = sheet.getContext("2d"), ratio = width / canvas.clientWidth;
+  const g = sheet.getContext("2d");
   const paper = g.createRadialGradient(width / 2, 0.4 * height, 0, width / 2, 0.4 * height, 0.6 * Math.hypot(width, height));
   paper.addColorStop(0, cssColour("--paper"));
   paper.addColorStop(1, cssColour("--paper-far"));
   g.fillStyle = paper;
   g.fillRect(0, 0, width, height);
-  g.drawImage(canvas, 0, 0);
+  g.drawImage(canvas, -left, 0);
   if (!data.title) return;
   g.fillStyle = cssColour("--ink");
   g.font = `600 ${14 * ratio}px system-ui, sans-serif`;

@@ -148,9 +148,13 @@ const followed = { body: null, on: path !== null, at: new THREE.Vector3(), row: 
 
 const FILL = 0.86; // how much of the picture the scene may take at the start
 
+// Pixels at the left of the stage that a panel covers: the picture is what it leaves free.
+let coveredWidth = () => 0;
+const picture = { left: 0, share: 1 }; // where it begins, and its share of the width
+
 /** How far away the camera must be to see the whole box of the scene along its own direction. */
 function fitDistance() {
-  const tall = FILL * Math.tan(THREE.MathUtils.degToRad(camera.fov / 2)), wide = tall * camera.aspect;
+  const tall = FILL * Math.tan(THREE.MathUtils.degToRad(camera.fov / 2)), wide = tall * camera.aspect * picture.share;
   const turn = camera.quaternion.clone().invert(), corner = new THREE.Vector3();
   let distance = 0;
   for (let i = 0; i < 8; i++) {
@@ -262,8 +266,17 @@ function paint() {
 function resize() {
   const { clientWidth: width, clientHeight: height } = canvas.parentElement;
   if (!width || !height) return;
+  const left = coveredWidth(), fitted = left || picture.left ? fitDistance() : 0;
+  picture.left = left;
+  picture.share = 1 - left / width;
   camera.aspect = width / height;
-  camera.updateProjectionMatrix();
+  if (left) camera.setViewOffset(width, height, -left / 2, 0, width, height);
+  else camera.clearViewOffset(); // which updates the projection too
+  if (fitted) {
+    // As much nearer or farther as a fit is, so that what filled the picture still does.
+    camera.position.sub(controls.target).multiplyScalar(fitDistance() / fitted).add(controls.target);
+    controls.update();
+  }
   if (renderer) {
     renderer.setPixelRatio(simple ? 1 : Math.min(devicePixelRatio, 2));
     renderer.setSize(width, height, false);
