@@ -149,3 +149,17 @@ def test_the_disc_of_sympys_documentation_that_touches_with_auxiliary_speeds_is_
     body = me.RigidBody("disc", hub, R, m, (inertia, hub))
     kane.kanes_equations([body], [(hub, -m * g * Y.z), (C, contact)])
     System(kane)
+
+
+@pytest.mark.parametrize("place", [sm.asin, lambda x: sm.log(x - 1), lambda x: sm.sqrt(x - 2)])
+def test_velocities_that_are_not_finite_everywhere_are_not_told(place):
+    """At random states some of these have no value."""
+    N, O = me.ReferenceFrame("N"), me.Point("O")
+    O.set_vel(N, 0)
+    A = N.orientnew("A", "Axis", (q[0], N.z))
+    A.set_ang_vel(N, u[0] * N.z)
+    P = O.locatenew("P", place(q[1]) * A.x)
+    rate = place(q[1]).diff(q[1]) * u[1]
+    P.set_vel(N, rate * A.x + place(q[1]) * u[0] * A.y)
+    arm = me.RigidBody("arm", O, A, m, (me.inertia(A, 0, 0, 1), O))
+    system_of(N, [me.Particle("bead", P, m), arm])

@@ -136,6 +136,9 @@ def _is_explained(k: Kinematics, point: Point, spins: list[Vec], located: set[in
     resting = [g.input("r", i) for i, s in inputs if isinstance(s, sm.Derivative)]
     lengths = [n for m in k.tree.rotation_matrices() for n in orthogonality_residuals([m], k.read)]
     values = numbers_of(g, [n for v in (given, before, *candidates) for n in v], lengths, resting)
+    values = values[np.isfinite(values).all(axis=1)]
+    if not len(values):  # outside the domain of a function: nothing is known
+        return True
     as_set, base_velocity, *others = np.moveaxis(values.reshape(len(values), -1, 3), 1, 0)
     alike = []
     for candidate in others:  # terms may cancel: a wheel is at rest where it touches
