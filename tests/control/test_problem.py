@@ -1046,7 +1046,7 @@ def test_controls_errors_and_sparsity_are_plotted():
         TF, TF, end={x: 1.0, v: 0.0}, bounds={F: (-1.0, [1.0, 1.2]), TF: (0.1, 10.0)}, mesh=4
     )
     (ax,) = solution.plot_controls()
-    assert (ax.get_ylabel(), len(ax.lines)) == ("F", 4)  # itself, its bounds, the nodes
+    assert (ax.get_ylabel(), len(ax.lines)) == ("$F$", 4)  # itself, its bounds, the nodes
     assert ax.get_xlabel() == solution.plot_error().get_xlabel() == "time"  # in the model's unit
     assert solution.plot_controls(ax) is ax
     with pytest.raises(ValueError, match="`axes` must be 1, one for each of F, got 2"):
@@ -1065,17 +1065,17 @@ def test_states_are_plotted_with_their_bounds(mass):
         sm.Integral(F**2, T), 1.0, end={x: 1.0, v: 0.0}, bounds={v: (None, 1.2)}, mesh=4
     )
     first, second = solution.plot_states()
-    assert (first.get_ylabel(), len(first.lines)) == ("x", 2)  # itself and the nodes
-    assert (second.get_ylabel(), len(second.lines)) == ("v", 3)
+    assert (first.get_ylabel(), len(first.lines)) == ("$x$", 2)  # itself and the nodes
+    assert (second.get_ylabel(), len(second.lines)) == ("$v$", 3)
     times, values = second.lines[0].get_data()
     assert np.array_equal(values, solution.at(times)[v])
     assert set(second.lines[1].get_ydata()) == {1.2}
     _, second = solution.plot_states(units={v: ("km/h", 3.6), x: "m"}, time_unit="s")
-    assert (second.get_ylabel(), second.get_xlabel()) == ("v (km/h)", "time (s)")
+    assert (second.get_ylabel(), second.get_xlabel()) == ("$v$ (km/h)", "time (s)")
     assert np.array_equal(second.lines[0].get_ydata(), 3.6 * values)
     assert set(second.lines[1].get_ydata()) == {3.6 * 1.2}
     (ax,) = solution.plot_controls(units={"F": "N"})
-    assert ax.get_ylabel() == "F (N)"
+    assert ax.get_ylabel() == "$F$ (N)"
     plt.close("all")
 
 

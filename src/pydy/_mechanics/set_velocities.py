@@ -3,8 +3,9 @@
 The equations contain the velocities that were set, whatever the positions are. Three kinds of them
 need not be the derivatives of positions: those of a rolling wheel, whose points move as if they
 turned about the point where it touches; those with a speed whose coordinate was omitted, as of a
-symmetric rotor or of a position that nothing depends on; and those that take an input, such as an
-angle, for constant. Of others the term ω × r was forgotten, or a sign is wrong.
+symmetric rotor, of angles that are small, or of a position that nothing depends on; and those that
+take an input, such as an angle, for constant. Of others the term ω × r was forgotten, or a sign is
+wrong.
 
 Not checked are mechanisms with constraints, which may have been used to shorten velocities.
 """
@@ -27,6 +28,7 @@ from pydy._mechanics.frames import orthogonality_residuals
 from pydy._mechanics.kinematics import Kinematics, Vec
 from pydy._mechanics.multibody import Multibody
 from pydy._mechanics.reader import is_rigid
+from pydy._mechanics.symbols import find_symbols
 from pydy._rank import DIGITS
 
 if TYPE_CHECKING:
@@ -75,6 +77,10 @@ def warn_of_angular_velocities(
     """
     wrong = []
     for frame, (axes, rates) in frames.items():
+        parent = k.tree.parent(frame)
+        turn = find_symbols(k.tree.rotation(frame, parent)) if parent is not None else ()
+        if all(isinstance(s, sm.Symbol) for s in turn):
+            continue  # its own angles were omitted, since they are small
         values = numbers_of(k.graph, [*axes, *rates, *k.dt(axes)], zero_rows)
         values = values[np.isfinite(values).all(axis=1)]
         if not len(values):
