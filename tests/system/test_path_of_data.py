@@ -147,7 +147,7 @@ def construct():
 @pytest.mark.parametrize(
     ("make", "functions", "files"),
     [
-        (construct, 666, 63),
+        (construct, 663, 63),
         (integrate, 31, 16),
         (simulate, 113, 32),
         (with_contacts, 129, 36),

@@ -64,3 +64,18 @@ def test_marks_without_a_value_are_left_out_of_a_default_picture_with_a_warning(
         part = system.animate(constants={"height": 2.0})
     whole = system.animate(constants={"height": 2.0, "reach": 0.5})
     assert len(part.visuals) < len(whole.visuals)
+
+
+def test_the_origin_of_a_picture_does_not_depend_on_velocities_that_sympy_derived():
+    """Then a point that is fixed to the ground would be the nearest one at rest."""
+    q = me.dynamicsymbols("q")
+    frame, origin = inertial_frame()
+    bearing = origin.locatenew("B", 2 * frame.y)
+    lever = frame.orientnew("A", "Axis", (q, frame.z))
+    end = bearing.locatenew("P", lever.x)
+    system = System(Definition(frame, [q], bodies=[me.Particle("bob", end, 1)]))
+    system.times = [0.0, 1.0]
+    before = system.animate().poses
+    bearing.vel(frame)
+    np.testing.assert_array_equal(system.animate().poses, before)
+    assert [1.0, 2.0, 0.0] in before[0, :, :3, 3].tolist()

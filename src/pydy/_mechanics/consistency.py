@@ -137,9 +137,9 @@ def warn_of_kinematics(equations: Equations) -> None:
         k = Kinematics(replace(body, bodies=mechanism.bodies), in_bodies=False)
         turns = [orthogonality_residuals([matrix], k.read) for matrix in k.tree.rotation_matrices()]
         # A quaternion has three rows: its columns have unit length. Nine cosines have more.
-        many = any(len(rows) > 3 for rows in turns)
-        frames = {} if many else dict(_frames(k))
-        every = [] if many else [*frames.values(), *_points(k)]
+        by_cosines = any(len(rows) > 3 for rows in turns)
+        frames = {} if by_cosines else dict(_frames(k))
+        every = [] if by_cosines else [*frames.values(), *_points(k)]
     except (NotImplementedError, TypeError, ValueError):
         if equations.formed is not None:
             raise
@@ -162,11 +162,6 @@ def warn_of_kinematics(equations: Equations) -> None:
                 ]
             else:
                 unexplained += [m for m, rows in zip(members, unlike, strict=True) if rows.any()]
-    if unexplained and not misfits:
-        from pydy._mechanics.set_velocities import warn_of_angular_velocities
-
-        spins = {f: item[1:3] for f, item in frames.items() if item in unexplained}
-        warn_of_angular_velocities(k, spins, zero_rows)
     if misfits:
         rates = [body.coordinates[i] for i in sorted(wrong)]
         warn_user(
@@ -176,6 +171,11 @@ def warn_of_kinematics(equations: Equations) -> None:
             "of a Definition; without them each coordinate's derivative is the speed at its "
             "place), or correct the velocities."
         )
+    elif unexplained:
+        from pydy._mechanics.set_velocities import warn_of_angular_velocities
+
+        spins = {f: item[1:3] for f, item in frames.items() if item in unexplained}
+        warn_of_angular_velocities(k, spins, zero_rows)
 
 
 def _frames(k: Kinematics) -> Iterator[tuple[ReferenceFrame, Moved]]:

@@ -89,16 +89,16 @@ class Mechanism:
     def symbols(self) -> set[sm.Symbol]:
         """The symbols in the bodies and loads, whether they occur in the equations or not."""
         inertias = (size for body in self.bodies for size in self._inertias(body))
-        return set().union(*(sm.sympify(part).free_symbols for part in (*self.parts, *inertias)))
+        parts = self._terms(self.body_velocities.values())
+        return set().union(*(sm.sympify(part).free_symbols for part in (*parts, *inertias)))
 
     @cached_property
     def parts(self) -> tuple[sm.Expr, ...]:
-        """Masses, velocities, loads and inertias of rotating bodies: the terms of energies."""
-        return self._terms(self.body_velocities.values())
+        """Masses, loads, inertias of rotating bodies, and the velocities that the user set.
 
-    @cached_property
-    def written_parts(self) -> tuple[sm.Expr, ...]:
-        """The same without velocities that nobody set: SymPy takes seconds to derive them."""
+        Together with the positions they hold all symbols of the energies; SymPy takes seconds to
+        derive the other velocities.
+        """
         return self._terms(v for v in self._set_velocities() if v is not None)
 
     @property

@@ -127,8 +127,10 @@ class FrameTree:
     @staticmethod
     def point_at_rest(frame: ReferenceFrame, points: Iterable[Point]) -> Point | None:
         """Return the nearest point with zero velocity that is connected to some points, or None."""
-        connected = FrameTree.points_from([*points])
-        return next((p for p in connected if given_velocity(p, frame) == 0), None)
+        for point in FrameTree.points_from([*points]):
+            if given_velocity(point, frame) == 0:
+                return point
+        return None
 
     def velocity(self, point: Point) -> Vector | None:
         """Return the velocity that the user set, or None."""
@@ -190,25 +192,37 @@ class FrameTree:
                 point = paths[point][0]
         return paths
 
-    def located_beside_speeds(self, points: Iterable[Point]) -> dict[Point, BaseAndSteps]:
-        """Return where points are whose velocity has speeds as components, along axes that turn.
+    def located_beside_speeds(self, bodies: Iterable[Body]) -> dict[Point, BaseAndSteps]:
+        """Return where mass centres are whose velocity has speeds as components.
 
-        Each with the nearest point at rest, and the vectors from there. The equations do not need
-        these positions.
+        Each with the nearest point at rest, and the vectors from there, if these turn. The
+        equations do not need these positions.
         """
-        simple = [p for p in points if (v := self.velocity(p)) is not None and _of_speeds(v)]
+        simple: dict[Point, None] = {}
+        for body in bodies:
+            velocity = self.velocity(body.masscenter)
+            if velocity is not None and _of_speeds(velocity):
+                simple[body.masscenter] = None
+        resting: dict[Point, None] = {}
+        for point in self.points_from([*simple]):
+            if self.velocity(point) == 0:
+                resting[point] = None
+        above = self.points_from([*resting])
+        turned: set[Point] = set()  # located from there along axes that turn
+        for point, before in above.items():
+            if before in turned:
+                turned.add(point)
+            for _, frame in () if before is None else self.positions(point)[before].args:
+                if frame is not self.inertial:
+                    turned.add(point)
         located: dict[Point, BaseAndSteps] = {}
         for point in simple:
-            before = self.points_from([point])
-            resting = (p for p in before if getattr(self.velocity(p), "args", None) == [])
-            if (base := next(resting, None)) is None:
-                continue
-            steps, at = [], base
-            while (after := before[at]) is not None:
-                steps.append(self.positions(after)[at])
-                at = after
-            if any(frame is not self.inertial for step in steps for _, frame in step.args):
-                located[point] = base, tuple(steps)
+            if point in turned:
+                steps, base = [], point
+                while (before := above[base]) is not None:
+                    steps.append(self.positions(base)[before])
+                    base = before
+                located[point] = base, tuple(reversed(steps))
         return located
 
     def _hung(

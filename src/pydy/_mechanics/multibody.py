@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
+from operator import attrgetter
 from typing import TYPE_CHECKING, Any
 
 from pydy._mechanics.frame_tree import FrameTree
@@ -48,7 +49,7 @@ class Multibody:
             snapshots = tuple((body, _snapshot(body)) for body in self.bodies)
             object.__setattr__(self, "snapshots", snapshots)
             if self.origin is None and self.frame is not None:
-                centres = [body.masscenter for body in self.bodies]
+                centres = map(attrgetter("masscenter"), self.bodies)
                 object.__setattr__(self, "origin", FrameTree.point_at_rest(self.frame, centres))
 
     def check_unchanged(self) -> None:

@@ -38,25 +38,24 @@ if TYPE_CHECKING:
 
 
 def warn_of_velocities(
-    body: Multibody, differing: Collection[Point], aside: Mapping[Point, BaseAndSteps]
+    body: Multibody, differing: Collection[Point], unneeded: Mapping[Point, BaseAndSteps]
 ) -> None:
-    """Warn of points whose velocity was set, differs from that of the position, unexplained.
+    """Warn of points whose velocity was set and is not the derivative of the position.
 
-    Of the points `differing` the equations need the position, of those `aside` they do not; with
-    each of these, the point that it is located from, and the vectors from there.
+    There must be no velocity constraints. The equations contain the positions of the points
+    `differing`, not those of the points `unneeded`: the mapping has the point that each of these is
+    located from, and the vectors from there.
     """
-    if body.constraints.velocity:
-        return
-    bases = [base for base, _ in aside.values()]
+    bases = [base for base, _ in unneeded.values()]
     k = moving(body, in_bodies=False, fixed_honoured=differing, further_points=bases)
-    for point, (base, steps) in aside.items():
+    for point, (base, steps) in unneeded.items():
         parts = [part for step in steps for part in step.args]
         k.reroute(point, base, [k.frames.in_axes(k.read.all(v), frame) for v, frame in parts])
     frames = dict.fromkeys(item.frame for item in body.bodies if is_rigid(item))
     spins = [k.spin(frame, k.inertial)[0] for frame in frames]
     moved = [v for point in k.moved() for pair in _offsets(k, point) for v in pair]
     located = {*inputs_of(k.graph, [n for v in (*spins, *moved) for n in v])}
-    candidates = dict.fromkeys((*differing, *aside))
+    candidates = dict.fromkeys((*differing, *unneeded))
     points = [point for point in candidates if not _is_explained(k, point, spins, located)]
     if points:
         origins = list(dict.fromkeys(k.path(point)[0] for point in points))
@@ -115,8 +114,8 @@ def _is_rotor(k: Kinematics, item: RigidBody, difference: np.ndarray) -> bool:
     transverse = across @ moments @ across
     other = np.trace(transverse) / 2.0
     size = DIGITS * np.abs(moments).max(initial=0.0)
-    aside = moments @ axis - (axis @ moments @ axis) * axis
-    return bool(np.abs(transverse - other * across).max() <= size and np.abs(aside).max() <= size)
+    coupled = moments @ axis - (axis @ moments @ axis) * axis
+    return bool(np.abs(transverse - other * across).max() <= size and np.abs(coupled).max() <= size)
 
 
 def _is_explained(k: Kinematics, point: Point, spins: list[Vec], located: set[int]) -> bool:

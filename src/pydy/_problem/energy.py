@@ -92,7 +92,7 @@ class EnergyModel:
         if equations.multibody is not None and equations.multibody.potential is not None:
             parts.append(equations.multibody.potential)
         if mechanism is not None:
-            parts += [*mechanism.written_parts]
+            parts += [*mechanism.parts]
             parts += [body.potential_energy for body in mechanism.bodies]
             points = [body.masscenter for body in mechanism.bodies]
             for point in points:

@@ -24,7 +24,6 @@ from pydy.viz import (
     SceneModel,
     SceneMotion,
     compute_placement,
-    find_origin,
     gravities,
     guess_up,
     load_arrows,
@@ -59,7 +58,7 @@ def make_scene(
             "`scene` needs visuals, such as Visual(Sphere(0.1), point): the System's `eom_method` "
             "was given no bodies that could be shown."
         )
-    reference_frame, origin = _seen_from(mechanism, *given)
+    reference_frame, origin = _seen_from(equations, *given)
     if "up" not in options and mechanism is not None:
         up = guess_up(reference_frame, bodies, mechanism.loads, constants)
         if up is None and mechanism.lagrangian is not None and reference_frame is mechanism.frame:
@@ -80,7 +79,7 @@ def make_scene(
         found = _outline(*places, names, constants, bool(equations.constraints.holonomic))
         if resting is None:  # what is fixed to a moving point does not rest
             found.supports, found.resting = [], []
-        known = {*map(name_of, (*constants, *definition.states, *definition.specifieds))}
+        known = {"t", *map(name_of, (*constants, *definition.states, *definition.specifieds))}
         known |= {*map(name_of, check_mapping("constants", options.get("constants")))}
         _leave_out_unknown(found, origin, [body.masscenter for body in bodies], known)
         turned = reference_frame is not mechanism.frame
@@ -123,15 +122,19 @@ def _leave_out_unknown(
     Such points are marks that the equations do not need. Without the mass centres of the bodies
     there is no picture.
     """
-    missing: dict[Point, list[str]] = {}
+    missing: dict[Point, set[str]] = {}  # the names on the way from the origin
+    for point, before in FrameTree.points_from([origin]).items():
+        missing[point] = set()
+        if before is not None:
+            parts = [m for m, _ in FrameTree.positions(point)[before].args]
+            names = {name_of(s) for s in find_symbols(parts) if isinstance(s, sm.Symbol)}
+            missing[point] = missing[before] | (names - known)
+    hidden: dict[Point, None] = {}
 
     def is_drawn(*points: Point) -> bool:
-        for point in points:
-            if point not in missing:
-                parts = [m for m, _ in point.pos_from(origin).args]
-                names = [name_of(s) for s in find_symbols(parts) if isinstance(s, sm.Symbol)]
-                missing[point] = [name for name in names if name not in {*known, "t"}]
-        return not any(missing[point] for point in points)
+        lacking = [point for point in points if missing.get(point)]
+        hidden.update(dict.fromkeys(lacking))
+        return not lacking
 
     if not is_drawn(*centres):
         return  # `animate` names what a body lacks
@@ -139,13 +142,12 @@ def _leave_out_unknown(
     for lines in (found.ropes, found.springs, found.dampers):
         lines[:] = [pair for pair in lines if is_drawn(*pair)]
     found.supports = [point for point in found.supports if is_drawn(point)]
-    hidden = [str(point) for point, names in missing.items() if names]
     if hidden:
-        names = list(dict.fromkeys(name for of_point in missing.values() for name in of_point))
-        example = ", ".join(f"'{name}': 1.0" for name in names[:2])
+        unknown = sorted(set().union(*(missing[point] for point in hidden)))
+        example = ", ".join(f"'{name}': 1.0" for name in unknown[:2])
         warn_user(
-            f"Lines to {some(hidden)} are not drawn: the equations have no value for "
-            f"{some(names)}. Pass `animate(constants={{{example}}})`, with your numbers."
+            f"Lines to {some(map(str, hidden))} are not drawn: the equations have no value for "
+            f"{some(unknown)}. Pass `animate(constants={{{example}}})`, with your numbers."
         )
 
 
@@ -159,19 +161,22 @@ def _resting(mechanism: Mechanism, frame: Any, origin: Any) -> Any:
     chosen = velocity is None and frame is mechanism.frame and origin not in centres
     if chosen or velocity == Vector(0):
         return origin
-    return find_origin(mechanism.frame, [origin, *centres])
+    return FrameTree.point_at_rest(mechanism.frame, [origin, *centres])
 
 
-def _seen_from(mechanism: Mechanism | None, frame: Any, origin: Any) -> tuple[Any, Any]:
+def _seen_from(equations: Equations, frame: Any, origin: Any) -> tuple[Any, Any]:
     """Return the reference frame and the origin of a scene, by default those of the mechanism."""
+    mechanism, multibody = equations.mechanism, equations.multibody
     if frame is None:
         if mechanism is None:
             raise ValueError("`reference_frame` must be given: the System knows of no frame.")
         frame = mechanism.frame
     instance(frame, ReferenceFrame, "`reference_frame`")
+    if origin is None and multibody is not None and frame is multibody.frame:
+        origin = multibody.origin  # that of `frame_position`
     if origin is None:
         bodies = mechanism.bodies if mechanism is not None else ()
-        origin = find_origin(frame, [body.masscenter for body in bodies])
+        origin = FrameTree.point_at_rest(frame, [body.masscenter for body in bodies])
         if origin is None:
             raise ValueError(
                 f"`origin` is required: the bodies are connected to no point at rest in `{frame}`. "

@@ -186,7 +186,7 @@ def solve_equilibrium(problem: RootProblem, start: np.ndarray, bounds: Bounds) -
             first_error = first_error or error
             continue
         accepted = _with_initial_free_unknowns(accepted, problem, z, bounds)
-        return _without_revolutions(accepted, problem, z, bounds)
+        return _unwound(accepted, problem, z, bounds)
     assert first_error is not None
     raise first_error
 
@@ -264,7 +264,7 @@ def _with_initial_free_unknowns(
     return candidate if nearer else accepted
 
 
-def _without_revolutions(
+def _unwound(
     accepted: RootResult, problem: RootProblem, start: np.ndarray, bounds: Bounds
 ) -> RootResult:
     """Return the equilibrium with angles within half a revolution of the start.

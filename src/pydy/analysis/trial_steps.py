@@ -8,7 +8,7 @@ from typing import Any
 from pydy.analysis.tuning import MOST_TRIAL_STEPS
 
 
-def limited_steps(options: Mapping[str, Any], best: float) -> dict[str, Any]:
+def limited_steps(options: Mapping[str, Any], best: int) -> dict[str, Any]:
     """Return a solver's options for a trial motion, if the `best` one so far took so many steps.
 
     Steps of a fixed length are as many in each motion.

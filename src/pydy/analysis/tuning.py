@@ -40,9 +40,10 @@ zero at every value."""
 # -- trial motions of searches ---------------------------------------------------------------------
 
 MOST_TRIAL_STEPS = 100
-"""Most steps of a trial motion, in units of those of the best one so far. A motion that diverges
-would take all of `max_steps`, ten million, half a minute; a search that rejects it tries a nearer
-one, so that it also reaches motions that need more steps than this."""
+"""Most steps of a trial motion, in units of those of the best one so far: those of a motion that is
+a hundred times as fast, as with 10⁴ times the stiffness. One that diverges would take all of
+`max_steps`, half a minute. A search that rejects a motion tries a nearer one, so that it also
+reaches faster ones."""
 
 # -- periodic orbits -------------------------------------------------------------------------------
 

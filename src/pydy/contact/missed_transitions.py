@@ -140,15 +140,11 @@ def missed_transitions(
                 "between two transitions: the solver stepped over one. Limit the step with "
                 "`max_step`."
             )
-            if name == "`mu`":
+            if name in ("`mu`", "`normal`"):  # which have no transitions
+                opens = ", or a Unilateral as `on`, which opens" if name == "`normal`" else ""
                 remedy = (
                     "during the motion, but must not be negative. Give an expression that is "
-                    "never negative, such as Max(0, ...)."
-                )
-            elif name == "`normal`":  # a known normal force has no transitions
-                remedy = (
-                    "during the motion, but must not be negative. Give an expression that is "
-                    "never negative, such as Max(0, ...), or a Unilateral as `on`, which opens."
+                    f"never negative, such as Max(0, ...){opens}."
                 )
             raise run.fail(*place, f"The {name} of {c.name!r} became {value:.3g} {remedy}")
     return broken, table[: count + 1] if whole else None

@@ -50,8 +50,8 @@ NO_LATER = 16.0
 
 LOW = 64.0
 """A rebound may be as low as the roundings of its event's expression where its speed times the
-last flight is within this many of them. The height of a flight is a quarter of its speed times its
-length, which is that of the last one at most, if the acceleration does not fall to a 16th."""
+last flight is within 4 · 16 of them: the height of a flight is a quarter of its speed times its
+length, and it is shorter than the last one, if the acceleration does not fall to a 16th."""
 
 HALVINGS = 52
 """How often the time span is halved to find the side to which a state at rest departs, down to a

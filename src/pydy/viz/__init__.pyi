@@ -9,7 +9,6 @@ from . import (
     visuals as visuals,
 )
 from .defaults import (
-    find_origin as find_origin,
     gravities as gravities,
     guess_up as guess_up,
     load_arrows as load_arrows,

@@ -13,7 +13,7 @@ from sympy.physics.vector import ReferenceFrame, Vector
 
 from pydy._checks import listed, real_array, shown
 from pydy._expressions import parts_of
-from pydy._mechanics import FrameTree, find_symbols, replace_symbols
+from pydy._mechanics import find_symbols, replace_symbols
 from pydy._rank import DIGITS, HALF, rank
 from pydy.viz.outlines import Outline
 from pydy.viz.shapes import (
@@ -32,8 +32,6 @@ from pydy.viz.surfaces import surface
 from pydy.viz.visuals import Visual
 
 if TYPE_CHECKING:
-    from sympy.physics.mechanics import Point
-
     from pydy._sympy_types import AnySymbol, Body, Load, SymbolOrName
 
 # Minimum thickness of a plate, relative to its longest edge.
@@ -182,11 +180,6 @@ def _round_shape(moments: Sequence[float], mass: float) -> Shape | None:
         thick = max(length, _THINNEST * size)
         return Cylinder(float(thick), float(max(radius, _THINNEST * size / 2)), axis)
     return None
-
-
-def find_origin(frame: ReferenceFrame, points: Iterable[Point]) -> Point | None:
-    """Return a point with zero velocity in `frame` that is connected to the given ones, or None."""
-    return FrameTree.point_at_rest(frame, points)
 
 
 _GREY = "#7d8796"  # visible on white and on nearly black

@@ -352,7 +352,8 @@ class Scene:
         symbols : sequence of functions of time, optional
             Symbols of the columns of `states`; known if the scene was made by ``system.scene()``.
         constants : mapping of symbols or names to numbers, optional
-            Values that are missing in, or override, those of the trajectory and the system.
+            Values that are missing in, or override, those of the trajectory and the system; by
+            default the scene's `constants`.
         specifieds : mapping of functions of time to numbers or arrays of shape (m,), optional
             Only together with `symbols`.
         series : mapping of str to array_like, shape (m,), optional
@@ -547,16 +548,16 @@ class Scene:
         if self._animation and self._last_call[1] != [v.version for v in self.visuals]:
             self._set_motion(*self._last_call[0])  # a shape or visual was changed
         if self._animation is None and self._states is not None:
-            symbols, constants, times = self.states_symbols, self.constants, self._times
+            times = self._times
             if times is None:
                 times = np.arange(len(self._states)) / self.frames_per_second
-            self.animate(times, self._states, symbols=symbols, constants=constants)
+            self.animate(times, self._states, symbols=self.states_symbols)
         elif self._animation is None and self.system is not None:
             scene = self.system.scene(
                 *self.visuals, reference_frame=self.reference_frame, origin=self.origin
             )
             self._model, self.visuals = scene._model, scene.visuals
-            self.animate(self.system.simulate(), constants=self.constants)
+            self.animate(self.system.simulate())
         if self._animation is None:
             raise ValueError(
                 "The scene does not move yet: call `scene.animate(trajectory)`, or "
