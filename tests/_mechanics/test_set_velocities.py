@@ -163,3 +163,92 @@ def test_velocities_that_are_not_finite_everywhere_are_not_told(place):
     P.set_vel(N, rate * A.x + place(q[1]) * u[0] * A.y)
     arm = me.RigidBody("arm", O, A, m, (me.inertia(A, 0, 0, 1), O))
     system_of(N, [me.Particle("bead", P, m), arm])
+
+
+def four_bar(coupler_velocity=None, coupler_spin=lambda rates: u[1]):
+    """A four-bar linkage whose angles are absolute; the second bar is the coupler."""
+    lengths = sm.symbols("l1:5")
+    t = me.dynamicsymbols._t
+    N, A = me.ReferenceFrame("N"), me.Point("A")
+    A.set_vel(N, 0)
+    frames = [N.orientnew(name, "Axis", (a, N.z)) for name, a in zip("abc", q, strict=True)]
+    loop = sum((s * f.x for s, f in zip(lengths, frames, strict=False)), -lengths[3] * N.x)
+    constraints = [loop.dot(N.x), loop.dot(N.y)]
+    rates = [
+        c.diff(t).xreplace({a.diff(): b for a, b in zip(q, u, strict=True)}) for c in constraints
+    ]
+    for frame, speed in zip(frames, (u[0], coupler_spin(rates), u[2]), strict=True):
+        frame.set_ang_vel(N, speed * N.z)
+    B = A.locatenew("B", lengths[0] * frames[0].x)
+    C = B.locatenew("C", lengths[1] * frames[1].x)
+    B.v2pt_theory(A, N, frames[0])
+    C.v2pt_theory(B, N, frames[1])
+    G = B.locatenew("G", lengths[1] / 2 * frames[1].x)
+    if coupler_velocity is None:
+        G.v2pt_theory(B, N, frames[1])
+    else:
+        G.set_vel(N, coupler_velocity(B.vel(N), C.vel(N), lengths[1] / 2, frames[1].y))
+    kane = me.KanesMethod(
+        N,
+        q[:1],
+        u[:1],
+        [a.diff() - b for a, b in zip(q, u, strict=True)],
+        q_dependent=q[1:],
+        configuration_constraints=constraints,
+        u_dependent=u[1:],
+        velocity_constraints=rates,
+    )
+    coupler = me.RigidBody("coupler", G, frames[1], m, (me.inertia(frames[1], 0, 0, 1), G))
+    kane.kanes_equations([coupler, me.Particle("B", B, m), me.Particle("C", C, m)], [])
+    return System(kane)
+
+
+def test_velocities_in_a_closed_loop_are_checked_at_assembled_states():
+    with pytest.warns(PyDyUserWarning, match=r"that were set for G are not .* from B,"):
+        four_bar(lambda b, c, half, along: b + half * (u[1] - u[0]) * along)
+    with pytest.warns(PyDyUserWarning, match=r"that were set for G are not .* from B,"):
+        four_bar(lambda b, c, half, along: half * u[1] * along + (b + c) / 3)
+    four_bar(lambda b, c, half, along: (b + c) / 2)
+    four_bar()
+
+
+def test_angular_velocities_in_a_closed_loop_are_checked_at_assembled_states():
+    with pytest.warns(PyDyUserWarning, match="angular velocity of b would not be what was set"):
+        four_bar(coupler_spin=lambda rates: u[0] + u[1])
+    # The loop gives the coupler's speed in terms of the crank's.
+    four_bar(coupler_spin=lambda rates: sm.solve(rates, u[1:])[u[1]])
+
+
+@pytest.mark.parametrize("shortened", ["by the constraint", "by its root", "wrongly"])
+def test_velocities_may_be_shortened_by_constraints(shortened):
+    """A ladder from x on the floor to the wall at x = 0, at the angle q1 to the floor."""
+    x, v = q[1], u[1]
+    N, O = me.ReferenceFrame("N"), me.Point("O")
+    O.set_vel(N, 0)
+    A = N.orientnew("A", "Axis", (q[0], N.z))
+    A.set_ang_vel(N, u[0] * N.z)
+    P = O.locatenew("P", x * N.x)
+    P.set_vel(N, v * N.x)
+    G = P.locatenew("G", -length / 2 * A.x)
+    height = {
+        "by the constraint": length * sm.sin(q[0]),
+        "by its root": sm.sqrt(length**2 - x**2),
+        "wrongly": -2 * v / u[0],
+    }[shortened]
+    G.set_vel(N, -height / 2 * u[0] * N.x - length / 2 * sm.cos(q[0]) * u[0] * N.y)
+    kane = me.KanesMethod(
+        N,
+        q[:1],
+        u[:1],
+        [a.diff() - b for a, b in zip(q[:2], u[:2], strict=True)],
+        q_dependent=[x],
+        configuration_constraints=[x - length * sm.cos(q[0])],
+        u_dependent=[v],
+        velocity_constraints=[v + length * sm.sin(q[0]) * u[0]],
+    )
+    kane.kanes_equations([me.RigidBody("ladder", G, A, m, (me.inertia(A, 0, 0, 1), G))], [])
+    if shortened == "wrongly":
+        with pytest.warns(PyDyUserWarning, match=r"that were set for G are not .* from P,"):
+            System(kane)
+    else:
+        System(kane)

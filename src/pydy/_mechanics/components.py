@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from pydy._graph import Branches, Graph, inputs_of, jacobian, linear_terms
+from pydy._graph import Branches, Graph, inputs_of, jacobian, linear_terms, rounding_bounds
 from pydy._mechanics.tuning import ACROSS
 from pydy._rank import ROUNDED
 
@@ -69,17 +69,24 @@ def unrounded(graph: Graph, nodes: Sequence[int]) -> list[int]:
 
 
 def numbers_of(
-    graph: Graph, flat: Sequence[int], zero_rows: Sequence[int] = (), zeros: Sequence[int] = ()
+    graph: Graph,
+    flat: Sequence[int],
+    zero_rows: Sequence[int] = (),
+    zeros: Sequence[int] = (),
+    common: Sequence[int] = (),
 ) -> np.ndarray:
     """Return values of nodes at random states, one row for each, at which `zero_rows` vanish.
 
     All inputs of these rows may change: quaternions get unit length, random lengths close a loop.
-    Inputs among `zeros` that do not occur in them are zero.
+    Inputs among `zeros` that do not occur in them are zero. Those among `common` are equal in all
+    states before.
     """
     inputs = [*inputs_of(graph, [*flat, *zero_rows])]
     x = np.random.default_rng(0).uniform(0.5, 1.5, (_STATES, len(inputs)))
     determined = {*graph.reachable(zero_rows)}
     x[:, [n in zeros and n not in determined for n in inputs]] = 0.0
+    shared = [n in common for n in inputs]
+    x[:, shared] = x[0, shared]
 
     def values(nodes: Sequence[int]) -> np.ndarray:
         return graph.evaluator(nodes)(dict(zip(inputs, x.T, strict=True)), _STATES)
@@ -95,6 +102,28 @@ def numbers_of(
                 matrix = slope[k].reshape(len(zero_rows), -1)
                 x[k] -= np.linalg.lstsq(matrix, residuals[k], rcond=None)[0]
     return values(flat)
+
+
+def consistent_numbers(
+    graph: Graph, flat: Sequence[int], zero_rows: Sequence[int], zeros: Sequence[int] = ()
+) -> np.ndarray:
+    """Return values as `numbers_of`, at the states alone where `zero_rows` do vanish.
+
+    There may be none: a mechanism of random lengths cannot always be assembled.
+    """
+    nodes = [*flat, *zero_rows, *rounding_bounds(graph, zero_rows)]
+    with np.errstate(all="ignore"):
+        rows = numbers_of(graph, nodes, zero_rows, zeros)
+    splits = [len(flat), len(flat) + len(zero_rows)]
+    values, residuals, bounds = np.split(rows, splits, axis=1)
+    consistent: np.ndarray = values[(np.abs(residuals) <= ROUNDED * bounds).all(axis=1)]
+    return consistent
+
+
+def finite_rows(values: np.ndarray) -> np.ndarray:
+    """Return the rows whose numbers are all finite."""
+    finite: np.ndarray = values[np.isfinite(values).all(axis=1)]
+    return finite
 
 
 def numbers_across(

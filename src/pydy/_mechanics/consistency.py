@@ -6,10 +6,11 @@ velocity, so that inertia and loads would be lost.
 Velocities that a user sets need not be the derivatives of positions: those of a rolling disc may
 include its constraint, and the orientation of a symmetric rotor may be omitted. They are accepted.
 But if all of them follow from other derivatives of the coordinates, the kinematic equations are
-wrong; and what neither explains is wrong itself (`pydy._mechanics.set_velocities`).
+wrong; and what neither explains is wrong itself (`pydy._mechanics.set_velocities`). So is an
+inertia that does not turn with its body (`pydy._mechanics.set_inertias`).
 
-Not checked are mechanisms with constraints, where velocities may be valid on one branch only,
-orientations by nine cosines, and velocities that depend on symbols that the positions do not have.
+Not checked are orientations by nine cosines, and velocities that depend on symbols that the
+positions do not have.
 """
 
 from __future__ import annotations
@@ -19,13 +20,14 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
+import sympy as sm
 from sympy.core.function import AppliedUndef
 from sympy.physics.mechanics import ReferenceFrame
 
 from pydy._checks import describe
 from pydy._errors import warn_user
 from pydy._graph import inputs_of, jacobian, rounding_bounds, signatures
-from pydy._mechanics.components import flat, identity, numbers_of
+from pydy._mechanics.components import consistent_numbers, finite_rows, flat, identity
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.formulations import moving
 from pydy._mechanics.frame_tree import FrameTree
@@ -38,7 +40,7 @@ from pydy._mechanics.symbols import find_symbols
 from pydy._rank import DIGITS, ROUNDED, or_one
 
 if TYPE_CHECKING:
-    from sympy.physics.mechanics import Point
+    from sympy.physics.mechanics import Point, RigidBody
 
     from pydy._sympy_types import Location, TimeFunction
 
@@ -101,7 +103,8 @@ def _unmoved(
     if k.body.constraints.velocity and moved:
         return None
     slopes = jacobian(g, position, k.coordinates).flat()
-    sizes = np.abs(_values(k, [*slopes, *rounding_bounds(g, slopes)], zero_rows))
+    sized = [*slopes, *rounding_bounds(g, slopes)]
+    sizes = np.abs(finite_rows(consistent_numbers(g, sized, zero_rows)))
     magnitudes, bounds = np.hsplit(sizes, 2)
     rows = np.reshape(magnitudes > ROUNDED * bounds, (-1, len(k.coordinates)))
     moving = {int(i) for i in np.nonzero(rows)[1]}
@@ -131,20 +134,24 @@ def warn_of_kinematics(equations: Equations) -> None:
     Groups of velocities that share no coordinates are checked separately.
     """
     body, mechanism = equations.multibody, equations.mechanism
-    if body is None or mechanism is None or not mechanism.bodies or body.constraints.velocity:
+    if body is None or mechanism is None or not mechanism.bodies:
         return
+    rows = body.constraints
     try:
         k = Kinematics(replace(body, bodies=mechanism.bodies), in_bodies=False)
         turns = [orthogonality_residuals([matrix], k.read) for matrix in k.tree.rotation_matrices()]
         # A quaternion has three rows: its columns have unit length. Nine cosines have more.
         by_cosines = any(len(rows) > 3 for rows in turns)
         frames = {} if by_cosines else dict(_frames(k))
-        every = [] if by_cosines else [*frames.values(), *_points(k)]
+        # Velocities in a constrained mechanism are compared in `pydy._mechanics.set_velocities`.
+        points = () if by_cosines or rows.velocity else _points(k)
+        every = [*frames.values(), *points]
+        constraints = k.read.all((*rows.holonomic, *rows.velocity))
     except (NotImplementedError, TypeError, ValueError):
         if equations.formed is not None:
             raise
         return  # a method's own equations may contain functions that cannot be read here
-    zero_rows = [row for rows in turns for row in rows]
+    zero_rows = [*(row for rows in turns for row in rows), *constraints]
     differing = _differing(k, every, zero_rows)
     if not any(map(np.any, differing)):
         return
@@ -176,6 +183,30 @@ def warn_of_kinematics(equations: Equations) -> None:
 
         spins = {f: item[1:3] for f, item in frames.items() if item in unexplained}
         warn_of_angular_velocities(k, spins, zero_rows)
+
+
+def warn_of_inertias(equations: Equations) -> None:
+    """Warn of bodies whose inertia was given along axes, or about a point, not fixed in the body.
+
+    Functions of time among its components say that it changes; those are accepted.
+    """
+    body, mechanism = equations.multibody, equations.mechanism
+    if body is None or mechanism is None:
+        return
+    candidates = [item for item in mechanism.bodies if is_rigid(item) and _turns_apart(item)]
+    if candidates:
+        from pydy._mechanics.set_inertias import warn_of_changing_inertias
+
+        warn_of_changing_inertias(replace(body, bodies=mechanism.bodies), candidates)
+
+
+def _turns_apart(item: RigidBody) -> bool:
+    given, about = item.inertia
+    if about is item.masscenter and all(
+        f is item.frame for _, *vectors in given.args for v in vectors for _, f in v.args
+    ):
+        return False
+    return all(isinstance(s, sm.Symbol) for s in find_symbols(size for size, *_ in given.args))
 
 
 def _frames(k: Kinematics) -> Iterator[tuple[ReferenceFrame, Moved]]:
@@ -252,32 +283,27 @@ def _depends_alike(
     return available.issuperset(inputs_of(g, velocity))
 
 
-def _values(k: Kinematics, nodes: list[int], zero_rows: list[int]) -> np.ndarray:
-    """Return values at the random states at which all are finite; there may be none."""
-    with np.errstate(all="ignore"):
-        all_values = numbers_of(k.graph, nodes, zero_rows)
-    values: np.ndarray = all_values[np.isfinite(all_values).all(axis=1)]
-    return values
-
-
 def _differing(k: Kinematics, every: Sequence[Moved], zero_rows: list[int]) -> list[np.ndarray]:
     """Return for each velocity which components differ from the rate of the position.
 
-    At some random state they differ by more than the rounding of typed decimals.
+    At some random state, with constraints at all, they differ by more than the rounding of typed
+    decimals.
     """
     pairs = [sides for _, position, v, _ in every for sides in zip(v, k.dt(position), strict=True)]
     unlike = [i for i, (says, follows) in enumerate(pairs) if says != follows]
     signature = signatures(k.graph, [n for i in unlike for n in pairs[i]])
     unlike = [i for j, i in enumerate(unlike) if signature[2 * j] != signature[2 * j + 1]]
     differs = np.zeros(len(pairs), dtype=bool)
-    flat = [n for i in unlike for n in pairs[i]]
-    with np.errstate(all="ignore"):
-        values = numbers_of(
-            k.graph, [*flat, *rounding_bounds(k.graph, flat, constants=True)], zero_rows
-        )
-    sides, bounds = np.split(values.reshape(len(values), -1, 2), 2, axis=1)
-    exceeds = np.abs(sides[..., 0] - sides[..., 1]) > DIGITS * bounds.sum(axis=2)
-    differs[unlike] = (exceeds & np.isfinite(bounds).all(axis=2)).any(axis=0)
+    if unlike:
+        flat = [n for i in unlike for n in pairs[i]]
+        bounds_of = rounding_bounds(k.graph, flat, constants=True)
+        values = consistent_numbers(k.graph, [*flat, *bounds_of], zero_rows)
+        sides, bounds = np.split(values.reshape(len(values), 2 * len(unlike), 2), 2, axis=1)
+        exceeds = np.abs(sides[..., 0] - sides[..., 1]) > DIGITS * bounds.sum(axis=2)
+        exceeds &= np.isfinite(bounds).all(axis=2)
+        # Constraints may have been used to shorten the velocities, on one of their branches.
+        on_all = bool(k.body.constraints.velocity) and len(exceeds)
+        differs[unlike] = exceeds.all(axis=0) if on_all else exceeds.any(axis=0)
     return np.split(differs, np.cumsum([len(position) for _, position, *_ in every])[:-1])
 
 
@@ -292,7 +318,8 @@ def _wrong_coordinates(
     velocity = [n for _, _, components, _ in every for n in components]
     slopes = jacobian(k.graph, position, k.coordinates).flat()
     m, n = len(position), len(k.coordinates)
-    values = _values(k, [*slopes, *velocity, *k.dt(position)], zero_rows)
+    nodes = [*slopes, *velocity, *k.dt(position)]
+    values = finite_rows(consistent_numbers(k.graph, nodes, zero_rows))
     wrong = np.zeros(n, dtype=bool)
     for row in values:
         matrix, says, follows = row[: m * n].reshape(m, n), row[m * n : -m], row[-m:]

@@ -115,13 +115,12 @@ def _fewest(body: Multibody) -> EquationGraph:
     is_large = len(body.speeds) > 12
     first, *other_axes = useful_axes(body)[-1:] if is_large else useful_axes(body)
     candidates = [forms(body, in_bodies=first)]
-    if not body.constraints.velocity:  # which may have been used to shorten velocities
-        differing = candidates[0].honoured
-        unneeded = FrameTree(body.frame).located_beside_speeds(body.bodies)
-        if differing or unneeded:
-            from pydy._mechanics.set_velocities import warn_of_velocities
+    differing = candidates[0].honoured
+    unneeded = FrameTree(body.frame).located_beside_speeds(body.bodies)
+    if differing or unneeded:
+        from pydy._mechanics.set_velocities import warn_of_velocities
 
-            warn_of_velocities(body, differing, unneeded)
+        warn_of_velocities(body, differing, unneeded)
     for in_bodies in other_axes if not candidates[0].in_one_frame else ():
         candidates.append(forms(body, in_bodies=in_bodies, honoured=candidates[0].honoured))
     kinds: list[EquationGraph] = [

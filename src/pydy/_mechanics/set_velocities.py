@@ -7,7 +7,9 @@ symmetric rotor, of angles that are small, or of a position that nothing depends
 take an input, such as an angle, for constant. Of others the term ω × r was forgotten, or a sign is
 wrong.
 
-Not checked are mechanisms with constraints, which may have been used to shorten velocities.
+Constraints may have been used to shorten velocities, so that these are compared at states that
+satisfy them. A square root among them may belong to one of several branches: a velocity that fits
+at one random state is accepted.
 """
 
 from __future__ import annotations
@@ -22,7 +24,7 @@ import sympy as sm
 from pydy._checks import describe
 from pydy._errors import warn_user
 from pydy._graph import inputs_of
-from pydy._mechanics.components import numbers_of
+from pydy._mechanics.components import consistent_numbers, finite_rows, numbers_of
 from pydy._mechanics.formulations import moving
 from pydy._mechanics.frames import orthogonality_residuals
 from pydy._mechanics.kinematics import Kinematics, Vec
@@ -42,9 +44,9 @@ def warn_of_velocities(
 ) -> None:
     """Warn of points whose velocity was set and is not the derivative of the position.
 
-    There must be no velocity constraints. The equations contain the positions of the points
-    `differing`, not those of the points `unneeded`: the mapping has the point that each of these is
-    located from, and the vectors from there.
+    The equations contain the positions of the points `differing`, not those of the points
+    `unneeded`: the mapping has the point that each of these is located from, and the vectors from
+    there.
     """
     bases = [base for base, _ in unneeded.values()]
     k = moving(body, in_bodies=False, fixed_honoured=differing, further_points=bases)
@@ -55,8 +57,9 @@ def warn_of_velocities(
     spins = [k.spin(frame, k.inertial)[0] for frame in frames]
     moved = [v for point in k.moved() for pair in _offsets(k, point) for v in pair]
     located = {*inputs_of(k.graph, [n for v in (*spins, *moved) for n in v])}
+    rows = k.read.all((*body.constraints.holonomic, *body.constraints.velocity))
     candidates = dict.fromkeys((*differing, *unneeded))
-    points = [point for point in candidates if not _is_explained(k, point, spins, located)]
+    points = [point for point in candidates if not _is_explained(k, point, spins, located, rows)]
     if points:
         origins = list(dict.fromkeys(k.path(point)[0] for point in points))
         warn_user(
@@ -80,8 +83,8 @@ def warn_of_angular_velocities(
         turn = find_symbols(k.tree.rotation(frame, parent)) if parent is not None else ()
         if all(isinstance(s, sm.Symbol) for s in turn):
             continue  # its own angles were omitted, since they are small
-        values = numbers_of(k.graph, [*axes, *rates, *k.dt(axes)], zero_rows)
-        values = values[np.isfinite(values).all(axis=1)]
+        flat = [*axes, *rates, *k.dt(axes)]
+        values = finite_rows(consistent_numbers(k.graph, flat, zero_rows))
         if not len(values):
             continue
         turned, as_set, by_angles = np.moveaxis(values.reshape(len(values), 3, 3, 3), 1, 0)
@@ -118,17 +121,22 @@ def _is_rotor(k: Kinematics, item: RigidBody, difference: np.ndarray) -> bool:
     return bool(np.abs(transverse - other * across).max() <= size and np.abs(coupled).max() <= size)
 
 
-def _is_explained(k: Kinematics, point: Point, spins: list[Vec], located: set[int]) -> bool:
+def _is_explained(
+    k: Kinematics, point: Point, spins: list[Vec], located: set[int], constraints: list[int]
+) -> bool:
     """Return whether a velocity is that of a wheel, or has the speed of an omitted coordinate.
 
     That is none of the inputs of motions that follow from positions and orientations, `located`.
+    Of `constraints` each is zero.
     """
     g, (base, _) = k.graph, k.path(point)
     given = k.vector(k.tree.velocity(point), k.inertial)
-    if base is None or not located.issuperset(inputs_of(g, given)):
+    if base is None:
         return True
     home, velocity, _ = k.motion(base)
     before = k.expressed(velocity, home, k.inertial)
+    if not located.union(inputs_of(g, before)).issuperset(inputs_of(g, given)):
+        return True
     offsets, rates = zip(*_offsets(k, point), strict=True)
     # Nothing turns with a body, or the first parts do so about the point that they start from.
     turned = list(accumulate(offsets, k.plus))
@@ -140,17 +148,18 @@ def _is_explained(k: Kinematics, point: Point, spins: list[Vec], located: set[in
     inputs = enumerate(k.read.specifieds)
     resting = [g.input("r", i) for i, s in inputs if isinstance(s, sm.Derivative)]
     lengths = [n for m in k.tree.rotation_matrices() for n in orthogonality_residuals([m], k.read)]
-    values = numbers_of(g, [n for v in (given, before, *candidates) for n in v], lengths, resting)
-    values = values[np.isfinite(values).all(axis=1)]
-    if not len(values):  # outside the domain of a function: nothing is known
+    flat = [n for v in (given, before, *candidates) for n in v]
+    values = finite_rows(consistent_numbers(g, flat, [*lengths, *constraints], resting))
+    if not len(values):  # outside the domain of a function, or not assembled: nothing is known
         return True
     as_set, base_velocity, *others = np.moveaxis(values.reshape(len(values), -1, 3), 1, 0)
     alike = []
     for candidate in others:  # terms may cancel: a wheel is at rest where it touches
         parts = (as_set, base_velocity, candidate - base_velocity)
         size = sum(np.linalg.norm(part, axis=1) for part in parts)
-        alike.append((np.linalg.norm(candidate - as_set, axis=1) <= DIGITS * size).all())
-    return bool(np.any(alike))
+        alike.append(np.linalg.norm(candidate - as_set, axis=1) <= DIGITS * size)
+    # Constraints may have been used to shorten the velocities, on one of their branches.
+    return bool(np.any(alike) if constraints else np.all(alike, axis=1).any())
 
 
 def _offsets(k: Kinematics, point: Point) -> list[tuple[Vec, Vec]]:
