@@ -252,3 +252,24 @@ def test_velocities_may_be_shortened_by_constraints(shortened):
             System(kane)
     else:
         System(kane)
+
+
+@pytest.mark.parametrize("axes", ["of the rod", "of the rotations"])
+def test_a_rod_whose_velocities_are_written_along_axes_that_turn_otherwise_is_told(axes):
+    """Its turn about itself, -u1 sin(q2), has no inertia, but turns the axes of the velocities."""
+    N, O = me.ReferenceFrame("N"), me.Point("O")
+    O.set_vel(N, 0)
+    A = N.orientnew("A", "Body", (q[0], 0, q[1]), "XYZ")
+    of_the_rod = axes == "of the rod"
+    A.set_ang_vel(N, u[0] * (A.x if of_the_rod else N.x) + u[1] * A.z)
+    C = O.locatenew("C", length * A.y)
+    C.v2pt_theory(O, N, A)
+    rod = me.RigidBody("rod", C, A, m, (me.inertia(A, r, 0, r), C))
+    share = sm.cos(q[1]) if of_the_rod else 1
+    kane = me.KanesMethod(N, q[:2], u[:2], [share * q[0].diff() - u[0], q[1].diff() - u[1]])
+    kane.kanes_equations([rod], [])
+    if of_the_rod:
+        with pytest.warns(PyDyUserWarning, match="angular velocities that were set for A are not"):
+            System(kane)
+    else:
+        System(kane)

@@ -23,8 +23,8 @@ import sympy as sm
 
 from pydy._checks import describe
 from pydy._errors import warn_user
-from pydy._graph import inputs_of
-from pydy._mechanics.components import consistent_numbers, finite_rows, numbers_of
+from pydy._graph import inputs_of, rounding_bounds
+from pydy._mechanics.components import consistent_numbers, finite_rows, identity, numbers_of
 from pydy._mechanics.formulations import moving
 from pydy._mechanics.frames import orthogonality_residuals
 from pydy._mechanics.kinematics import Kinematics, Vec
@@ -77,7 +77,8 @@ def warn_of_angular_velocities(
 
     For each frame, the components of its axes and their derivatives according to what was set.
     """
-    wrong = []
+    wrong: list[ReferenceFrame] = []
+    rotors: list[ReferenceFrame] = []
     for frame, (axes, rates) in frames.items():
         parent = k.tree.parent(frame)
         turn = find_symbols(k.tree.rotation(frame, parent)) if parent is not None else ()
@@ -92,8 +93,11 @@ def warn_of_angular_velocities(
         difference = np.cross(turned, as_set - by_angles).sum(axis=1) / 2.0
         in_frame = np.einsum("mij,mj->mi", turned, difference)
         bodies = [item for item in k.body.bodies if is_rigid(item) and item.frame is frame]
-        if bodies and not all(_is_rotor(k, item, in_frame) for item in bodies):
-            wrong.append(frame)
+        if bodies:
+            is_rotor = all(_is_rotor(k, item, in_frame) for item in bodies)
+            (rotors if is_rotor else wrong).append(frame)
+    if rotors and not wrong and _along_turning_axes(k, zero_rows):
+        wrong = rotors
     if wrong:
         warn_user(
             f"The angular velocities that were set for {describe(wrong)} are not those of their "
@@ -119,6 +123,36 @@ def _is_rotor(k: Kinematics, item: RigidBody, difference: np.ndarray) -> bool:
     size = DIGITS * np.abs(moments).max(initial=0.0)
     coupled = moments @ axis - (axis @ moments @ axis) * axis
     return bool(np.abs(transverse - other * across).max() <= size and np.abs(coupled).max() <= size)
+
+
+def _along_turning_axes(k: Kinematics, zero_rows: list[int]) -> bool:
+    """Return whether a body's velocity is written along axes whose angular velocity is not theirs.
+
+    Its derivative, c' e + c ω × e for a component c along e, is wrong then, so that a rotor whose
+    angle was omitted must be written along the axes of its bearing, or its own axis.
+    """
+    g = k.graph
+    vectors = [k.tree.velocity(item.masscenter) for item in k.body.bodies]
+    vectors += [item.frame.ang_vel_in(k.inertial) for item in k.body.bodies if is_rigid(item)]
+    errors: dict[ReferenceFrame, list[Vec]] = {}
+    for vector in vectors:
+        total = [g.zero] * 3
+        for components, frame in () if vector is None else vector.args:
+            if frame not in errors:
+                w = k.spin(frame, k.inertial)[0]
+                axes = [k.expressed(unit, frame, k.inertial) for unit in identity(g)]
+                pairs = [(k.cross(w, e), k.dt(e)) for e in axes]
+                errors[frame] = [
+                    [g.sub(x, y) for x, y in zip(*pair, strict=True)] for pair in pairs
+                ]
+            for c, error in zip(k.read.all(components), errors[frame], strict=True):
+                total = k.plus(total, [g.mul(c, x) for x in error])
+        bounds = rounding_bounds(g, total, constants=True)
+        values = finite_rows(consistent_numbers(g, [*total, *bounds], zero_rows))
+        sizes, magnitudes = np.split(np.abs(values), 2, axis=1)
+        if (sizes > DIGITS * magnitudes).any():
+            return True
+    return False
 
 
 def _is_explained(
