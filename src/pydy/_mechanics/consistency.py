@@ -7,7 +7,8 @@ Velocities that a user sets need not be the derivatives of positions: those of a
 include its constraint, and the orientation of a symmetric rotor may be omitted. They are accepted.
 But if all of them follow from other derivatives of the coordinates, the kinematic equations are
 wrong; and what neither explains is wrong itself (`pydy._mechanics.set_velocities`). So is an
-inertia that does not turn with its body (`pydy._mechanics.set_inertias`).
+inertia that does not turn with its body (`pydy._mechanics.set_inertias`), and an acceleration that
+is not the derivative of the velocity (`pydy._mechanics.set_accelerations`).
 
 Not checked are orientations by nine cosines, and velocities that depend on symbols that the
 positions do not have.
@@ -198,6 +199,21 @@ def warn_of_inertias(equations: Equations) -> None:
         from pydy._mechanics.set_inertias import warn_of_changing_inertias
 
         warn_of_changing_inertias(replace(body, bodies=mechanism.bodies), candidates)
+
+
+def warn_of_accelerations(equations: Equations) -> None:
+    """Warn of accelerations that were set and are not the derivatives of the velocities."""
+    body, mechanism = equations.multibody, equations.mechanism
+    if body is None or mechanism is None or body.constraints.velocity:
+        return
+    tree = FrameTree(body.frame)
+    points = [p for p in (i.masscenter for i in mechanism.bodies) if tree.acceleration(p)]
+    frames = [i.frame for i in mechanism.bodies if is_rigid(i)]
+    frames = [f for f in frames if tree.angular_acceleration(f)]
+    if points or frames:
+        from pydy._mechanics.set_accelerations import warn_of_set_accelerations
+
+        warn_of_set_accelerations(replace(body, bodies=mechanism.bodies), points, frames)
 
 
 def _turns_apart(item: RigidBody) -> bool:

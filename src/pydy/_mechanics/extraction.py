@@ -19,7 +19,12 @@ from sympy.physics.mechanics import (
 )
 from sympy.physics.mechanics.jointsmethod import JointsMethod
 
-from pydy._mechanics.consistency import check_velocities, warn_of_inertias, warn_of_kinematics
+from pydy._mechanics.consistency import (
+    check_velocities,
+    warn_of_accelerations,
+    warn_of_inertias,
+    warn_of_kinematics,
+)
 from pydy._mechanics.definition import Definition, equations_of_definition
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.implicit import Implicit
@@ -183,6 +188,7 @@ def _checked(read: Callable[..., Equations]) -> Callable[..., Equations]:
         check_velocities(equations)
         warn_of_kinematics(equations)
         warn_of_inertias(equations)
+        warn_of_accelerations(equations)
         # Those of a System that has no equations yet were among the loads that were read.
         formed = isinstance(args[0], System) and args[0].eom_method is not None
         warn_of_reversed_forces(equations, args[0].actuators if formed else ())
