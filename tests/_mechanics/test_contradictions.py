@@ -59,6 +59,7 @@ def test_points_take_their_velocities_from_points_that_loads_asked_for_before():
     agrees(frame, q[:2], u[:2], bodies, [(end, -m * frame.y), (other, u[1] * frame.x)], [m, n, c])
 
 
+@pytest.mark.filterwarnings("ignore:The accelerations that were set for P, A")
 def test_accelerations_of_the_users_hold_for_their_own_point_and_frame_alone():
     frame, origin, q, u = ground()
     m, n, c = sm.symbols("m n c")
@@ -115,6 +116,7 @@ def test_a_wheel_needs_no_spin_angle_where_its_inertia_is_given_in_the_fork(orie
     agrees(frame, q, u, [body], loads, [m, r, across, along, g], kd)
 
 
+@pytest.mark.filterwarnings("ignore:The inertia of the body b changes in its frame B")
 def test_an_inertia_that_turns_in_its_body_changes():
     frame, origin, q, u = ground()
     m, c = sm.symbols("m c")
