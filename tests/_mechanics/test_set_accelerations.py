@@ -59,6 +59,18 @@ def test_right_accelerations_are_not_told():
     double_pendulum(accelerate)
 
 
+def test_a_lagrangian_contains_no_accelerations():
+    N, O = me.ReferenceFrame("N"), me.Point("O")
+    O.set_vel(N, 0)
+    P = O.locatenew("P", q[0] * N.x)
+    P.set_acc(N, q[0] * N.y)
+    P.set_vel(N, q[0].diff() * N.x)
+    bead = me.Particle("P", P, m)
+    method = me.LagrangesMethod(me.Lagrangian(N, bead), q[:1], bodies=[bead], frame=N)
+    method.form_lagranges_equations()
+    System(method)
+
+
 @pytest.mark.parametrize("right", [True, False])
 def test_accelerations_are_compared_with_velocities_that_were_set(right):
     """A disc rolls, so that its centre moves as if it turned about the point of contact."""

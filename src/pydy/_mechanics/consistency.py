@@ -206,6 +206,8 @@ def warn_of_accelerations(equations: Equations) -> None:
     body, mechanism = equations.multibody, equations.mechanism
     if body is None or mechanism is None or body.constraints.velocity:
         return
+    if body.lagrangian is not None:  # whose derivatives contain no acceleration
+        return
     tree = FrameTree(body.frame)
     points = [p for p in (i.masscenter for i in mechanism.bodies) if tree.acceleration(p)]
     frames = [i.frame for i in mechanism.bodies if is_rigid(i)]
