@@ -199,6 +199,14 @@ def test_plane_motion_is_seen_from_its_side(trajectory):
     assert framed(swing(view=(1, 0, 0)).animate(trajectory)).direction.tolist() == [1, 0, 0]
 
 
+def test_a_level_motion_without_a_ground_is_seen_from_above(trajectory):
+    """As a mechanism without gravity, whose plane nothing calls a floor."""
+    seen = framed(swing(up="z", ground=False).animate(trajectory))
+    assert seen.direction @ [0, 0, 1] > 0.9
+    assert seen.right.tolist() == [1, 0, 0]
+    assert framed(swing(up="z").animate(trajectory)).direction @ [0, 0, 1] < 0.5
+
+
 def test_the_camera_follows_what_travels_far_unless_told_otherwise():
     times = np.linspace(0, 10, 101)
     states = 5 * times[:, None]

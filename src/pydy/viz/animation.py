@@ -87,9 +87,13 @@ def frame(animation: Animation, settings: ViewSettings) -> Framing:
     if direction is None:
         cloud = np.concatenate([item.positions for item in animation.items])
         flat = np.ptp(cloud @ depth) < 0.02 * np.ptp(cloud @ right)
-        direction = depth + (
-            0.25 * right + 0.2 * up_axis if flat else 0.55 * right + 0.45 * up_axis
-        )
+        is_level = np.ptp(cloud @ up_axis) < 0.02 * np.ptp(cloud @ right)
+        if is_level and settings.ground is False:  # a plan: nothing says that it lies on a floor
+            direction = up_axis + 0.35 * depth
+        else:
+            direction = depth + (
+                0.25 * right + 0.2 * up_axis if flat else 0.55 * right + 0.45 * up_axis
+            )
         direction = direction / np.linalg.norm(direction)
     height = None
     if settings.ground is None and animation.ground is not None:
