@@ -1,8 +1,8 @@
 """A warning of accelerations that the user set, and that are not the derivatives of velocities.
 
 The equations contain them as they were set, by `a2pt_theory` with another frame for example, or
-before a velocity was changed. Not checked are mechanisms with constraints, which may have been used
-to shorten them.
+from the contact point of a wheel, or before a velocity was changed. Not checked are mechanisms with
+constraints, which may have been used to shorten them.
 """
 
 from __future__ import annotations
@@ -48,9 +48,9 @@ def warn_of_set_accelerations(
     if wrong:
         warn_user(
             f"The accelerations that were set for {describe(wrong)} are not the derivatives of the "
-            "velocities, and the equations contain them as they are. Set them after the velocities "
-            "by `a1pt_theory` or `a2pt_theory` with the same points and frames, or set none: they "
-            "are derived then."
+            "velocities, and the equations contain them as they are. Set none: they are derived "
+            "then. (`a2pt_theory` needs points that are fixed in the frame, as the point where a "
+            "wheel touches is not.)"
         )
 
 
