@@ -264,6 +264,17 @@ def assert_fills(page, screenshot, left):
     assert last - first == pytest.approx(0.86 * free, abs=3.0)  # FILL in stage.js
 
 
+def test_a_long_heading_does_not_reach_the_parameters(open_page, tmp_path):
+    system = pendulum()
+    scene = system.scene(title="A pendulum whose length is changed. " * 4)
+    page = scene.animate(system.simulate(), fps=None).to_html(
+        tmp_path / "live.html", live={"l0": (0.5, 2)}
+    )
+    page = open_page(page, width=700, height=600)
+    heading, panel = (page.locator(s).bounding_box() for s in ("#heading", "#live"))
+    assert heading["y"] + heading["height"] <= panel["y"]
+
+
 def test_the_scene_is_fitted_beside_the_panel_and_into_all_without_it(
     wide_box, open_page, screenshot
 ):
