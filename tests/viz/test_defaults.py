@@ -48,6 +48,13 @@ def test_equal_moments_are_a_ball_and_others_a_box():
     assert isinstance(default_shape(body(12, 5, 13, 10), {}, 1.0), Box)
 
 
+def test_the_ball_on_a_short_bar_does_not_hide_it():
+    link = body(1, 0, 0, 0.1)  # planar: no solid has this inertia
+    for arm, radius in ((5.0, 0.022), (0.02, 0.01)):  # the usual one; half of the way to a joint
+        arms = [np.array([sign * arm, 0.0, 0.0]) for sign in (1.0, -1.0)]
+        assert default_shape(link, {}, 1.0, arms).radius == pytest.approx(radius)
+
+
 def test_without_a_mass_the_proportions_are_right():
     shape = default_shape(body(sm.Symbol("m"), 5, 13, 10), {}, 1.0)
     assert shape.y / shape.x == pytest.approx(1 / 3)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable, Container, Iterable, Sequence
 from functools import cache
 from typing import TYPE_CHECKING
@@ -138,6 +139,20 @@ def _with_states(loads: Iterable[Load | ActuatorBase]) -> list[MusculotendonBase
         for load in loads
         if isinstance(getattr(load, "x", None), sm.MatrixBase) and hasattr(load, "rhs")
     ]
+
+
+def curve_coefficients(loads: Iterable[Load]) -> tuple[sm.Symbol, ...]:
+    """Return the symbols for coefficients of characteristic curves of muscles, in order.
+
+    SymPy makes them where a musculotendon has none of its own; its argument is what comes first.
+    """
+    curves = sys.modules.get("sympy.physics.biomechanics.curve")
+    if curves is None:  # nobody has made one; what the loads hold need not be read
+        return ()
+    parts = (part for _, vector in loads for matrix, _ in vector.args for part in matrix)
+    functions = {f for part in parts for f in part.atoms(curves.CharacteristicCurveFunction)}
+    symbols = {s for f in functions for argument in f.args[1:] for s in argument.free_symbols}
+    return tuple(sm.ordered(symbols))
 
 
 @cache

@@ -12,6 +12,7 @@ import numpy as np
 from pydy._assembly import CompiledModel, Definition
 from pydy._forks import cached_property
 from pydy._kernel import Inputs
+from pydy._problem.curves import warn_of_curves
 from pydy._problem.entries import check_specifieds
 from pydy._problem.model import Model, ModelBuilder
 from pydy._problem.residuals import solved_residuals
@@ -104,8 +105,10 @@ class Problem:
     @cached_property
     def p(self) -> np.ndarray:
         """The constants in order."""
-        settings = self.settings
-        return read_numbers(self.definition, "constants", settings.constants, settings.contradicted)
+        settings, constants = self.settings, self.settings.constants
+        numbers = read_numbers(self.definition, "constants", constants, settings.contradicted)
+        warn_of_curves(self.definition, constants, settings.already_warned)
+        return numbers
 
     @property
     def constants(self) -> dict[Any, float]:

@@ -73,7 +73,8 @@ def default_shape(
     ball = Sphere(BALL * size)
     if not isinstance(body, RigidBody):
         return ball
-    joint = Sphere(2 * BAR * size)  # on the bars
+    # On the bars, of which it must not hide a short one, such as a link of a long chain.
+    joint = Sphere(min(2 * BAR * size, reach / 2) if reach else 2 * BAR * size)
     numbers = {k: sm.Float(v) for k, v in values.items()}
     inertia = body.central_inertia.to_matrix(body.frame)
     try:
