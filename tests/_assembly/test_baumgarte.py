@@ -2,9 +2,12 @@
 
 import numpy as np
 import pytest
+import sympy as sm
+import sympy.physics.mechanics as me
 from scipy.integrate import odeint
 
 import zoo
+from pydy import System
 from pydy._errors import PyDyUserWarning
 from registry import SOLVER_NAMES, step_options
 from zoo.cases import close, system_of, wide
@@ -139,3 +142,31 @@ def test_a_wrong_gain_says_what_it_must_be(options, kind, message):
 def test_velocity_constraints_are_needed(name):
     with pytest.raises(ValueError, match="works on velocity constraints, but the system has none"):
         at_times(zoo.MODELS[name](), 1.0).integrate(constraints="baumgarte", gain=1.0)
+
+
+@pytest.mark.parametrize("unit", [1.0, 1e-14, 1e14])
+def test_acceleration_constraints_of_another_scale_are_refused_in_any_unit(unit):
+    x, y, v, w = me.dynamicsymbols("x y v w")
+    frame, point = me.ReferenceFrame("N"), me.Point("P")
+    point.set_vel(frame, v * frame.x + w * frame.y)
+    rate = unit * (w - 0.7 * v * sm.cos(x))
+    own_rate = rate.diff(zoo.T).subs(x.diff(zoo.T), v)
+    for factor, match in ((2, "the rates of the velocity constraints, in the same order"), (1, "")):
+        kane = me.KanesMethod(
+            frame,
+            [x, y],
+            [v],
+            kd_eqs=[x.diff(zoo.T) - v, y.diff(zoo.T) - w],
+            u_dependent=[w],
+            velocity_constraints=[rate],
+            acceleration_constraints=[factor * own_rate],
+            bodies=[me.Particle("p", point, 1)],
+            forcelist=[(point, -9.81 * frame.y)],
+        )
+        system = System(kane, times=np.linspace(0.0, 0.1, 3), initial_conditions={v: 1.0, w: 0.7})
+        if match:
+            with pytest.raises(ValueError, match=match):
+                system.integrate(constraints="baumgarte", gain=1.0)
+        else:
+            motion = system.integrate(constraints="baumgarte", gain=1.0)
+            close(motion[:, 3], 0.7 * motion[:, 2] * np.cos(motion[:, 0]), 1e-6)

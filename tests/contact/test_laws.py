@@ -143,6 +143,9 @@ def test_wrong_arguments_are_named():
         CompliantContact(P, O, N.x, N, lambda g, r: 1, lambda s, n: -n, along=N.y + N.z)
     with pytest.raises(TypeError, match="`along` must be one Vector or two"):
         CompliantContact(P, O, N.x, N, lambda g, r: 1, lambda s, n: -n, along=3)
+    slope = sm.cos(0.1) * N.y + sm.sin(0.1) * N.x
+    with pytest.raises(ValueError, match="`along` must lie in the plane, orthogonal to the normal"):
+        CompliantContact(P, O, N.x, N, lambda g, r: 1, lambda s, n: -n, along=slope)
 
 
 @pytest.mark.parametrize(
@@ -153,6 +156,10 @@ def test_wrong_arguments_are_named():
         ("exponent", lambda value: hunt_crossley(x, v, 1e3, 0.3, value)),
         ("stiffness", lambda value: kelvin_voigt(x, v, value, 0.3)),
         ("damping", lambda value: kelvin_voigt(x, v, 1e3, value)),
+        ("normal", lambda value: brown_mcphee(v, value, 0.3, 0.01)),
+        ("normal", lambda value: stribeck(v, value, 0.3, 0.4, 0.1)),
+        ("normal", lambda value: rolling_resistance(v, value, 0.01, 0.01)),
+        ("normal", lambda value: joint_friction(v, value, 0.3, 0.1, 0.01)),
         ("mu", lambda value: brown_mcphee(v, 1.0, value, 0.01)),
         ("mu_static", lambda value: brown_mcphee(v, 1.0, 0.3, 0.01, mu_static=value)),
         ("viscous", lambda value: brown_mcphee(v, 1.0, 0.3, 0.01, viscous=value)),

@@ -130,6 +130,26 @@ def test_a_coefficient_of_friction_that_becomes_negative_is_named():
         Contacts(system, [Stick(vx, mu=mu, normal=5, name="brake")]).simulate()
 
 
+@pytest.mark.parametrize("way", [1e-8, 10.0])
+def test_a_transition_that_was_stepped_over_is_named_whatever_tolerance_other_states_have(way):
+    """A floor that jumps up for 50 µs by 2 m touches a body at rest at 1 m, which travels far."""
+    t, (height, x, v, w) = me.dynamicsymbols._t, me.dynamicsymbols("y x v w")
+    frame, origin = inertial_frame()
+    point = origin.locatenew("P", height * frame.y + x * frame.x)
+    point.set_vel(frame, v * frame.y + w * frame.x)
+    body = Definition(frame, [height, x], [v, w], bodies=[me.Particle("body", point, 1)])
+    system = System(
+        body,
+        ode_solver="dop853",
+        initial_conditions={height: 1.0, w: 1e9},
+        times=np.linspace(0.0, 1.0, 3),
+    )
+    floor = Unilateral(height - 2 * sm.exp(-((20000 * t - 10000) ** 2)), name="floor")
+    stepped_over = r"gap of 'floor' became -1 between two transitions: the solver stepped over one"
+    with pytest.raises(ContactError, match=stepped_over):
+        Contacts(system, [floor]).simulate(atol=np.array([1e-8, way, 1e-8, 1e-8]))
+
+
 def test_a_contact_that_does_not_act_costs_no_step_and_no_evaluation():
     system, feet = falling_body([(-1, -0.2), (1, -0.2)], mu=0.3)
     system.constants[J] = 0.4

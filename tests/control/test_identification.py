@@ -1,6 +1,7 @@
 """Fits by collocation against other estimators, and where simulations fail."""
 
 from itertools import pairwise
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -341,3 +342,19 @@ def test_inputs_that_jump_or_bend_get_nodes_there(kind, begin):
     found = system.fit([k, b], trial, method="collocation")
     # Times around 1.7e9 are rounded to 2.4e-7.
     np.testing.assert_allclose(found.estimates, [0.8, 2.0], rtol=1e-5 if begin else 1e-7)
+
+
+@pytest.mark.parametrize("unit", [1.0, 1e-9, 1e9])
+def test_parameters_at_active_bounds_are_set_to_them(unit):
+    # With bounds 0 and 1 and the barrier β, each distance d has the multiplier β/d: a bound is
+    # active if that is the larger one. In other units nothing changes.
+    barrier, cost = 1e-9, 3e4
+    distances = np.array([1e-7, 1e-3, 1e-7, 1.0 - 1e-7, 1.0 - 1e-3])
+    below, above = (barrier / d * cost / unit for d in (distances, 1.0 - distances))
+    sizes = unit * np.ones(5)
+    nlp = SimpleNamespace(lower=0.0 * sizes, upper=sizes, sizes=sizes, cost_size=cost)
+    solution = SimpleNamespace(z=unit * distances, below=below, above=above)
+    combined = SimpleNamespace(size=5, parameters=np.array([4, 3, 0, 1]))  # 2 is that of a state
+    z = identification._CombinedExperiments.at_bounds(combined, nlp, solution)
+    np.testing.assert_array_equal(z, unit * np.array([0.0, 1e-3, 1e-7, 1.0, 1.0 - 1e-3]))
+    np.testing.assert_array_equal(solution.z, unit * distances)  # a copy

@@ -148,6 +148,30 @@ def test_a_mesh_of_phases_that_is_too_coarse_is_warned_of(monkeypatch):
         phases.solve(mesh_tol=1e-6)
 
 
+def test_errors_of_the_objective_of_phases_add_up():
+    # Twice a metre in the least time at ±1 N and 0.6 m/s: 1 / 0.6 + 0.6 s each.
+    system, (x, v, F) = optima.double_integrator()
+    bounds = {F: (-1.0, 1.0), v: (None, 0.6), TF: (0.1, 10.0)}
+    options = {"end": {x: 1.0, v: 0.0}, "bounds": bounds, "method": "midpoint"}
+    fast = [OptimalControl(system, TF, TF, mesh=m, **options) for m in (3, 3)]
+    coarse = r"objective of 5 may be wrong by 1, .* to [0-9.]+ of phase [01]\. Use more"
+    with pytest.warns(PyDyUserWarning, match=coarse):
+        solution = OptimalControl.phases(fast, [{x: None}]).solve()
+    errors = [float(np.abs(phase.objective_error).sum()) for phase in solution]
+    assert sum(errors) > solution.objective - 2 * (1 / 0.6 + 0.6) > max(errors) * 0.5
+    assert f" ± {sum(errors):.1g}: solved" in repr(solution)
+    # A tolerance is one of the sum, too: ∫ |F| dt to go 1 m in 3 s, two times.
+    x, v, p, n = me.dynamicsymbols("x v p n")
+    system = optima.first_order([x], v, p - n)
+    limits = {"end": {x: 1.0, v: 0.0}, "bounds": {p: (0.0, 1.0), n: (0.0, 1.0)}}
+    limits |= {"mesh": 5, "method": "hermite-simpson"}
+    saving = [OptimalControl(system, sm.Integral(p + n, T), 3.0, **limits) for _ in range(2)]
+    solution = OptimalControl.phases(saving, [{x: None}]).solve(mesh_tol=0.01)
+    assert solution.objective == pytest.approx(2 * (3 - 5**0.5), rel=0.01)
+    errors = [float(np.abs(phase.objective_error).sum()) for phase in solution]
+    assert sum(errors) <= 0.01 * solution.objective
+
+
 def rod(place=(0.0, -1.0), constrained=True):
     """A bob of 1 kg pushed sideways, at the end of a rod of 1 m or free."""
     x, y, v, w, F = me.dynamicsymbols("x y v w F")

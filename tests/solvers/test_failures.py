@@ -48,6 +48,14 @@ def test_tolerances_below_rounding_are_refused(solver):
 
 
 @pytest.mark.parametrize("solver", ADAPTIVE)
+@pytest.mark.parametrize("unit", [1.0, 1e-9, 1e9])
+def test_absolute_tolerances_alone_are_accepted_in_any_unit(solver, unit):
+    x = solver(lambda x, t: x, [unit], [0.0, 1.0], rtol=0.0, atol=1e-10 * unit)
+    x = x[0] if isinstance(x, tuple) else x
+    np.testing.assert_allclose(x[-1], unit * np.e, rtol=1e-8)
+
+
+@pytest.mark.parametrize("solver", ADAPTIVE)
 def test_absolute_tolerances_may_be_zero(solver):
     x = solver(lambda x, t: -x, [1.0], [0.0, 1.0], rtol=1e-8, atol=0.0)
     np.testing.assert_allclose(x[1], np.exp(-1.0), rtol=1e-6)

@@ -84,6 +84,9 @@ def test_a_car_that_coasts_in_the_air_slows_down_by_its_closed_form():
     assert motion["u"] == pytest.approx(50.0 / growth, rel=1e-9)
     assert motion["x"] == pytest.approx(m / 0.42 * np.log(growth), rel=1e-9, abs=1e-9)
     assert float(loads[0][1].dot(N.z).subs(u, 10.0)) == pytest.approx(-90.0)
+    for axes, argument in (((2 * N.x, N.z), "forward"), ((N.x, N.z / 2), "up")):
+        with pytest.raises(ValueError, match=f"`{argument}` must be of unit length, got"):
+            aerodynamic_loads(P, *axes, N, drag_area=0.7)
 
 
 @pytest.mark.parametrize(

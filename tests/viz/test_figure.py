@@ -77,6 +77,20 @@ def test_a_gif_has_a_picture_for_each_instant(scene, tmp_path):
         assert film.n_frames == 5
 
 
+@pytest.mark.parametrize(("fps", "pictures", "rate"), [(7, 8, 7), (30, 31, 30), (60, 51, 50)])
+def test_a_gif_keeps_the_speed_of_the_motion(scene, tmp_path, fps, pictures, rate):
+    # Its delays are hundredths of a second; browsers slow down those below two.
+    from PIL import Image
+
+    delays = []
+    with Image.open(scene.save(tmp_path / "a.gif", fps=fps, dpi=20)) as film:
+        for k in range(film.n_frames):
+            film.seek(k)
+            delays.append(film.info["duration"])
+    assert sum(delays) == pytest.approx(1000 * pictures / rate, abs=5.0)
+    assert min(delays) >= 20
+
+
 @pytest.mark.skipif(shutil.which("ffmpeg") is None, reason="ffmpeg is not installed")
 def test_an_mp4_is_saved(scene, tmp_path):
     path = scene.save(tmp_path / "a.mp4", fps=3, dpi=41)

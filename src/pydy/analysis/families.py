@@ -111,10 +111,13 @@ class Family:
         """
         step = neighbour - z
         size = np.maximum(np.abs(z), np.abs(neighbour))
-        if (np.abs(step) <= 0.02 * size + ROUNDED)[:-1].all():
+        if (np.abs(step) <= 0.02 * size)[:-1].all():
             return True
         slopes = self.residual.slopes(z[None])
-        units = self.residual.sizes(slopes[:, :, :-1], z[None])[0].units
+        sizes = self.residual.sizes(slopes[:, :, :-1], z[None])[0]
+        units, rounding = sizes.units, ROUNDED * sizes.unknowns  # of unknowns that stay zero
+        if (np.abs(step[:-1]) <= 0.02 * size[:-1] + rounding).all():
+            return True
         columns = equilibrated(slopes[0, :, :-1], units=units)[2][0]
         change = step[:-1] / columns
         residual_change = slopes[0, :, -1] * step[-1]

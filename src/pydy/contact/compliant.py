@@ -9,6 +9,7 @@ import sympy as sm
 from sympy.physics.mechanics import Point, ReferenceFrame, Vector, dynamicsymbols
 
 from pydy._checks import flag, instance, shown
+from pydy._rank import ROUNDED
 from pydy.contact.laws import _axes, _check_units, _expressions
 from pydy.solvers import Event
 
@@ -104,14 +105,14 @@ class CompliantContact:
         for argument, function in (("force", force), ("friction", friction)):
             if not callable(function) and (function is not None or argument == "force"):
                 raise TypeError(f"`{argument}` must be a function, got {shown(function)}.")
-        flag(reaction, "`reaction`")
+        opposite = flag(reaction, "`reaction`")
         directions = _axes(along)
         _check_units("normal", [normal])
+        _check_in_plane(directions, normal)
         if (friction is None) != (not directions):
             raise ValueError("`friction` and `along` belong together: give both or none.")
         if (len(directions) == 2) != (smoothing is not None):
             raise ValueError("`smoothing` must be given with two vectors in `along`, and only so.")
-        opposite = flag(reaction, "`reaction`")
         sliding = point.vel(frame) - plane.vel(frame)
         self.gap = point.pos_from(plane).dot(normal)
         self.rate = sm.sympify(self.gap).diff(dynamicsymbols._t)
@@ -134,6 +135,18 @@ class CompliantContact:
         size = sm.sqrt(sum(v**2 for v in self.speeds) + small**2)
         share = _of_law(signature, law, size, self.normal_force) / size
         return tuple(share * v for v in self.speeds)
+
+
+def _check_in_plane(directions: Sequence[Vector], normal: Vector) -> None:
+    """Refuse directions of sliding with a component along the normal."""
+    for direction in directions:
+        product = sm.simplify(direction.dot(normal))
+        if product.is_number and not abs(product) <= ROUNDED:
+            raise ValueError(
+                f"`along` must lie in the plane, orthogonal to the normal {normal}, got "
+                f"{direction}: friction along it would push the bodies apart or together. Subtract "
+                "its component along the normal."
+            )
 
 
 def _of_law(signature: str, law: Law, *arguments: sm.Expr) -> sm.Expr:

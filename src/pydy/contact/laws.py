@@ -338,7 +338,9 @@ def joint_friction(
 
 
 _POSITIVE = {"exponent", "transition", "stribeck_speed", "normal_transition", "smoothing"}
-_NOT_NEGATIVE = {"stiffness", "damping", "mu", "mu_static", "viscous", "arm", "radius"}
+_NOT_NEGATIVE = {
+    *("stiffness", "damping", "normal", "mu", "mu_static", "viscous", "arm", "radius"),
+}
 
 
 def _expressions(**arguments: object) -> list[sm.Expr]:

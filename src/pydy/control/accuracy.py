@@ -158,48 +158,53 @@ def _resolved(
     return refined_parts
 
 
-def relative_errors(motion: SolvedMotion, tolerance: float, objective: float) -> np.ndarray:
-    """Return the larger of each interval's error of the states and its error of the objective.
+def relative_errors(
+    phases: Sequence[SolvedMotion], tolerance: float, objective: float
+) -> list[np.ndarray]:
+    """Return the larger of each interval's errors of the states and of the objective, by phase.
 
     Errors of the objective are relative to its size and multiplied by the number of intervals. They
     are ignored if their sum is within the tolerance plus that of the search. `objective` is the sum
-    over all phases.
+    over all phases, and so are these sums: errors of the phases add up.
     """
-    error: np.ndarray = motion.error
-    parts, size, negligible = _objective(motion, tolerance, objective)
-    if negligible:
-        return error
-    worst: np.ndarray = np.maximum(error, parts * len(parts) / size if size else np.inf)
-    return worst
+    parts, size, search_error = _objective(phases, objective)
+    total, count = sum(part.sum() for part in parts), sum(map(len, parts))
+    if total <= tolerance * size + search_error:
+        return [phase.error for phase in phases]
+    return [
+        np.maximum(phase.error, part * count / size if size else np.inf)
+        for phase, part in zip(phases, parts, strict=True)
+    ]
 
 
 def _objective(
-    motion: SolvedMotion, tolerance: float, objective: float
-) -> tuple[np.ndarray, float, bool]:
-    """Return the objective's errors by interval, its size, and whether they are negligible."""
-    transcription, nlp, solution = motion._transcription, motion._nlp, motion.solution
-    if transcription.scheme.convergence == 1:
-        return motion.error, 0.0, True
-    parts: np.ndarray = np.abs(motion.objective_error)
-    if not np.isfinite(parts).all():
-        return parts, 0.0, True
-    z = solution.z
-    # The barrier method's remainder: each multiplier times the distance from its bound.
-    sides = [(solution.below, z - nlp.lower), (solution.above, nlp.upper - z)]
-    rows = nlp.native("rows", z / nlp.sizes)[0] * nlp.row_sizes
-    (low, high), weights = nlp.row_bounds, solution.multipliers
-    sides += [(np.minimum(weights, 0.0), rows - low), (np.maximum(weights, 0.0), high - rows)]
-    barrier_remainder = sum(
-        float(np.abs(a[ok := np.isfinite(d)]) @ np.abs(d[ok])) for a, d in sides
-    )
-    size = max(
-        abs(motion.objective), abs(objective), float(_quadrature(transcription, nlp, z, True).sum())
-    )
-    return (
-        parts,
-        size,
-        parts.sum() <= tolerance * size + barrier_remainder + TOLERANCE * nlp.cost_size,
-    )
+    phases: Sequence[SolvedMotion], objective: float
+) -> tuple[list[np.ndarray], float, float]:
+    """Return the objective's errors by phase and interval, its size, and the error of the search.
+
+    Phases without an estimate have no errors.
+    """
+    errors, size, search_error = [], 0.0, 0.0
+    for phase in phases:
+        transcription, nlp, solution = phase._transcription, phase._nlp, phase.solution
+        no_estimate = transcription.scheme.convergence == 1
+        if no_estimate or not np.isfinite(phase.objective_error).all():
+            errors.append(np.zeros(transcription.intervals))
+            size += abs(phase.objective)
+            continue
+        errors.append(np.abs(phase.objective_error))
+        z = solution.z
+        # The barrier method's remainder: each multiplier times the distance from its bound.
+        sides = [(solution.below, z - nlp.lower), (solution.above, nlp.upper - z)]
+        rows = nlp.native("rows", z / nlp.sizes)[0] * nlp.row_sizes
+        (low, high), weights = nlp.row_bounds, solution.multipliers
+        sides += [(np.minimum(weights, 0.0), rows - low), (np.maximum(weights, 0.0), high - rows)]
+        search_error += TOLERANCE * nlp.cost_size + sum(
+            float(np.abs(a[ok := np.isfinite(d)]) @ np.abs(d[ok])) for a, d in sides
+        )
+        integral = float(_quadrature(transcription, nlp, z, True).sum())
+        size += max(abs(phase.objective), integral)
+    return errors, max(abs(objective), size), search_error
 
 
 def warn_where_coarse(phases: Sequence[SolvedMotion], objective: float) -> None:
@@ -210,6 +215,8 @@ def warn_where_coarse(phases: Sequence[SolvedMotion], objective: float) -> None:
     """
     worst = max(float(phase.error.max()) for phase in phases)
     total = float(sum(phase.error.sum() for phase in phases))
+    parts, size, search_error = _objective(phases, objective)
+    off = float(sum(part.sum() for part in parts))
     if not worst < 1.0:
         defect = (
             f"a motion that begins at a node with these controls misses the next one by {worst:.2g}"
@@ -220,13 +227,14 @@ def warn_where_coarse(phases: Sequence[SolvedMotion], objective: float) -> None:
             f"the errors of its intervals add up to {total:.2g} times the size of a state, which "
             "is how far a simulation with these controls may end from the solution"
         )
-    elif uncertain := [p for p in phases if not _objective(p, ONE_DIGIT, objective)[2]]:
-        off, ends = np.abs(uncertain[0].objective_error), uncertain[0].mesh
-        k = int(off.argmax())
+    elif off > ONE_DIGIT * size + search_error:
+        j = int(np.argmax([part.max() for part in parts]))
+        k, ends = int(parts[j].argmax()), phases[j].mesh
+        of_phase = f" of phase {j}" if len(phases) > 1 else ""
         defect = (
-            f"the objective of {objective:.3g} may be wrong by {off.sum():.1g}, {off[k]:.1g} of it "
+            f"the objective of {objective:.3g} may be wrong by {off:.1g}, {parts[j][k]:.1g} of it "
             "by what happens between the collocation points "
-            f"from t = {ends[k]:.4g} to {ends[k + 1]:.4g}"
+            f"from t = {ends[k]:.4g} to {ends[k + 1]:.4g}{of_phase}"
         )
     else:
         return

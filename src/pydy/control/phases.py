@@ -79,9 +79,11 @@ class PhasedTrajectory(Sequence[OptimalTrajectory]):
         return pandas.concat(tables, names=["phase", "time"])
 
     def __repr__(self) -> str:
+        error = float(sum(np.abs(phase.objective_error).sum() for phase in self))
+        near = f" ± {error:.1g}" if np.isfinite(error) else ""
         return (
             f"PhasedTrajectory: {len(self)} phases, {self.duration:.6g} s, objective "
-            f"{self.objective:.9g}: {self.message}"
+            f"{self.objective:.9g}{near}: {self.message}"
         )
 
 

@@ -222,7 +222,7 @@ class TrajectorySearch(Generic[Result]):
                 if tolerance is None:
                     warn_where_coarse(phases, motion.objective)
                     break
-                errors = [relative_errors(phase, tolerance, motion.objective) for phase in phases]
+                errors = relative_errors(phases, tolerance, motion.objective)
                 mesh_suffices = max(float(error.max()) for error in errors) <= tolerance
                 if mesh_suffices:
                     met = motion, phases

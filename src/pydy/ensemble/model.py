@@ -527,7 +527,7 @@ class Batch:
         The solver of single trajectories reports which.
         """
         options, k = self.model.options, int(np.argmin(self.model.options.rtol))
-        least = 10.0 * ROUNDING * np.fmax(np.abs(self.x[:, k]), 1.0)
+        least = 10.0 * ROUNDING * np.abs(self.x[:, k])
         atol = np.ravel(options.atol)[k if np.size(options.atol) > 1 else 0]
         return options.step is None and bool((atol < least).any())
 

@@ -9,6 +9,7 @@ from sympy.physics.mechanics import Point, ReferenceFrame, Vector
 
 from pydy._checks import instance
 from pydy.vehicles.forces import checked_parameters
+from pydy.vehicles.wheel_arguments import check_unit
 
 if TYPE_CHECKING:
     from pydy._sympy_types import Expression, Load
@@ -64,8 +65,8 @@ def aerodynamic_loads(
     -900.000000000000
     """
     instance(point, Point, "`point`")
-    instance(forward, Vector, "`forward`")
-    instance(up, Vector, "`up`")
+    check_unit("forward", forward)
+    check_unit("up", up)
     instance(frame, ReferenceFrame, "`frame`")
     values = checked_parameters(
         {"drag_area": drag_area, "lift_area": lift_area, "density": density},

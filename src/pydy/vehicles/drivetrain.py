@@ -40,7 +40,7 @@ def motor_torque(
     Returns
     -------
     number, array or expression
-        Torque (N m), for full load. Multiply it by a share of the load.
+        Torque (N m) at full load. Multiply it by the position of the pedal, from 0 to 1.
 
     Examples
     --------
@@ -132,9 +132,9 @@ def power_limited_torque(
 def gear_ratio(gear: Quantity, ratios: Sequence[float], *, final: float = 1.0) -> Quantity:
     """Return the ratio of a gearbox in a gear, with the final drive.
 
-    Gears are numbered from 1; the nearest one is engaged, the last one beyond it. Below ½ the
-    gearbox is in neutral: its ratio is 0, and so are the torque at its output and the speed of a
-    motor that follows it.
+    Gears are numbered from 1. The nearest gear is engaged, and the last one for larger numbers.
+    Below ½ the gearbox is in neutral: its ratio is 0, and so are the torque at its output and the
+    speed of a motor that follows it.
 
     Parameters
     ----------

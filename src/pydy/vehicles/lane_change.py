@@ -158,7 +158,7 @@ def lane_change(
     yaw_rate: str = "r",
     position: Sequence[str] = ("x", "y", "psi"),
 ) -> LaneChange:
-    """Drive a car through the double lane change of ISO 3888, and tell which cones it touches.
+    """Drive a car through the double lane change of ISO 3888 and report which cones it touches.
 
     The driver looks at the point where the car would be after the preview time T if it went on
     straight, and steers towards the middle of the track there, at the distance d = u T, on an arc
@@ -182,7 +182,7 @@ def lane_change(
         the lanes are 1.1 b + 0.25 m, 1.2 b + 0.25 m and 1.3 b + 0.25 m wide, or 1.1 b + 0.25 m,
         b + 1 m and 1.3 b + 0.25 m, at least 3 m.
     length : float, optional
-        Length of the car (m). Its mass centre is taken as being in the middle.
+        Length of the car (m). Its mass centre is assumed to be in the middle.
     preview : float, optional
         Preview time T (s).
     gain : float, optional

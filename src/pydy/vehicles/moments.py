@@ -41,8 +41,8 @@ def lateral_weight(s: EquationInputs, *, upright: bool = False) -> Operand:
 def ellipse_weights(s: EquationInputs, x: Longitudinal, y: Lateral) -> tuple[Operand, Operand]:
     """Return weights of both forces by friction ellipses, which need no coefficients.
 
-    Of the friction that pure slip of one direction uses, and of the largest one of the other
-    direction, an ellipse is made; the direction of slip chooses the point on it.
+    An ellipse combines the friction that pure slip uses in one direction with the largest friction
+    in the other direction. The direction of slip selects the point on it.
     """
     m, tiny = s.m, SMALLEST_SLIP
     kappa = m.abs(x.slip + x.shift / x.stiffness)
@@ -75,8 +75,8 @@ def aligning_moment(
 ) -> Operand:
     """Return the aligning moment M_z, (4.E31) to (4.E49) and (4.E71) to (4.E78).
 
-    With `x` of None, of pure side slip; then `induced` is 0 and `weight` is 1. The weight is that
-    of the side force without camber, in forms that have it.
+    If `x` is None, the slip is pure side slip: `induced` is then 0 and `weight` is 1. Some forms
+    compute the moment with the side force without camber, whose weight is `weight`.
     """
     m, c, dfz = s.m, s.c, s.dfz
     camber = s.camber * c.LGAZ
@@ -122,9 +122,9 @@ def _residual(
 
 
 def _equivalent(s: EquationInputs, alpha: Operand, ratio: Operand) -> Operand:
-    """Return the slip of the same size as α and κ together, with the sign of α, (4.E77).
+    """Return the equivalent slip of α and κ combined, with the sign of α, (4.E77).
 
-    Where slips are tangents already, it is one too.
+    It is a tangent in forms whose slips are tangents.
     """
     m, tiny = s.m, SMALLEST_SLIP**2
     if s.form.equivalent_tangent and not s.form.tangent:
@@ -154,7 +154,7 @@ def overturning_moment(s: EquationInputs, Fy: Operand) -> Operand:
 def rolling_resistance(s: EquationInputs, Fx: Operand) -> Operand:
     """Return M_y divided by the load, against rolling; `Fx` is divided by it too.
 
-    Of (4.E70) the load is inside the power alone, as in Besselink 2010, (A48).
+    The load of (4.E70) appears inside the power alone, as in Besselink 2010, (A48).
     """
     m, c = s.m, s.c
     ratio = s.load / c.FNOMIN

@@ -113,7 +113,7 @@ class RoadProfile:
         waves = np.fft.rfft((z - np.linspace(z[0], z[-1], count + 1))[:-1]) / count
         frequencies = np.arange(len(waves)) / length
         amplitudes = np.abs(waves)
-        amplitudes[1 : (count + 1) // 2] *= 2.0  # a wave of two samples stands once
+        amplitudes[1 : (count + 1) // 2] *= 2.0  # all but the Nyquist frequency
         phases = np.angle(waves) - 2 * pi * frequencies * places[0]
         used = np.flatnonzero(amplitudes > np.finfo(float).eps * np.abs(z).max())
         mean = float(waves[0].real)

@@ -87,7 +87,7 @@ def camber_equation(
 ) -> Expression:
     """Return the equation, which is zero, of camber that a tire's forces follow over σ_α.
 
-    Of a linear tire the whole side force then lags, Sharp 1971.
+    With a linear tire the entire side force then lags (Sharp 1971).
     """
     _, lag = _lengths(lengths, SHORTEST_RELAXATION * sliding.radius)
     t = dynamicsymbols._t

@@ -375,7 +375,7 @@ def _sliders(live: Live, system: LiveSystem) -> tuple[list[dict[str, Any]], list
         if matches and not slider.sets:
             group, column, variable = matches[0]
             start = variable.value if slider.value is None else slider.value
-            if not slider.low <= start <= slider.high:  # a `value` given has been checked
+            if not slider.low <= start <= slider.high:  # Slider has checked its `value`
                 raise ValueError(
                     f"`live[{name_of(key)}]` must include the system's own value, {start}, got the "
                     f"range {slider.low} to {slider.high}: widen the range, or give a `value`."

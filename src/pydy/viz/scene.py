@@ -699,7 +699,7 @@ class Scene:
         path : path
             The suffix selects the format.
         fps : float, optional
-            Frames per second of the video.
+            Frames per second of the video; at most 50 in a GIF, as browsers slow down faster ones.
         dpi : int, optional
         size : (float, float), optional
             Width and height in inches.

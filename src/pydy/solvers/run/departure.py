@@ -87,11 +87,11 @@ def is_unresolved(
     side: int,
     flight: float,
 ) -> bool:
-    """Return whether the rate of an event that has happened does not tell where its reset leads.
+    """Return whether the rate after a reset does not decide to which side the motion departs.
 
-    It is zero, or the expression comes back from the `side` that it tells before it exceeds its
-    roundings. Then a crossing is one of roundings, at which a reset may lead through the surface.
-    The last `flight` is the time since the event happened before.
+    The rate is zero, or the expression returns from the `side` that the rate has chosen before it
+    exceeds its rounding errors. Such a crossing is a rounding error itself, and the reset may lead
+    to the other side of the surface. `flight` is the time since the previous event.
     """
     if is_stationary(call, events, event, x, t, span):
         return True

@@ -295,7 +295,7 @@ class Integration(Workspace):
         n = self.n
         rtol, atol, x = self.memory.rtol[:n], self.memory.atol[:n], self.memory.x[:n]
         k, least = int(np.argmin(rtol)), 10.0 * ROUNDING
-        if rtol[k] < least and atol[k] < least * max(abs(x[k]), 1.0):
+        if rtol[k] < least and atol[k] < least * abs(x[k]):  # a state of zero shows no size
             self._stop(
                 Outcome.TOLERANCE_TOO_SMALL,
                 rtol=rtol[k],
