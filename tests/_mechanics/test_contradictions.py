@@ -59,7 +59,7 @@ def test_points_take_their_velocities_from_points_that_loads_asked_for_before():
     agrees(frame, q[:2], u[:2], bodies, [(end, -m * frame.y), (other, u[1] * frame.x)], [m, n, c])
 
 
-@pytest.mark.filterwarnings("ignore:The accelerations that were set for P, A")
+@pytest.mark.filterwarnings("ignore:The accelerations that were set for A")
 def test_accelerations_of_the_users_hold_for_their_own_point_and_frame_alone():
     frame, origin, q, u = ground()
     m, n, c = sm.symbols("m n c")

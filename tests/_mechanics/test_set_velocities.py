@@ -165,6 +165,21 @@ def test_velocities_that_are_not_finite_everywhere_are_not_told(place):
     system_of(N, [me.Particle("bead", P, m), arm])
 
 
+def test_a_velocity_with_the_turn_of_a_frame_below_is_told():
+    """The arm B turns relative to A; its end does not move as if it were fixed in A."""
+    N, O = me.ReferenceFrame("N"), me.Point("O")
+    O.set_vel(N, 0)
+    A = N.orientnew("A", "Axis", (q[0], N.z))
+    B = A.orientnew("B", "Axis", (q[1], A.x))
+    A.set_ang_vel(N, u[0] * N.z)
+    B.set_ang_vel(A, u[1] * A.x)
+    P = O.locatenew("P", length * B.y)
+    P.set_vel(N, A.ang_vel_in(N).cross(P.pos_from(O)))
+    bodies = [me.RigidBody(str(f), O, f, m, (me.inertia(f, 1, 2, 3), O)) for f in (A, B)]
+    with pytest.warns(PyDyUserWarning, match=r"that were set for P are not .* from O,"):
+        system_of(N, [*bodies, me.Particle("end", P, m)])
+
+
 def four_bar(coupler_velocity=None, coupler_spin=lambda rates: u[1]):
     """A four-bar linkage whose angles are absolute; the second bar is the coupler."""
     lengths = sm.symbols("l1:5")

@@ -104,10 +104,10 @@ def _shares(assembly: Assembly, holonomic: list[int], velocity: list[int]) -> np
     below = [matrix[k * n + j] for k in _constraint_rows(assembly) for j in range(n)]
     blocks.append(("rows", (count, n), below))
     parts = generic_values(graph, blocks, assembly.sizes, 3 + len(holonomic))
-    own, rates = parts["rows"], parts["motion"][:, :count]
-    entries = np.maximum(np.abs(own), np.abs(rates))
+    given, rates = parts["rows"], parts["motion"][:, :count]
+    entries = np.maximum(np.abs(given), np.abs(rates))
     rounding = ROUNDED * entries.max(axis=2, keepdims=True, initial=0.0)  # of a row's zeros
-    if not (np.abs(own - rates) <= HALF * entries + rounding).all():
+    if not (np.abs(given - rates) <= HALF * entries + rounding).all():
         raise ValueError(
             "`constraints='baumgarte'` needs acceleration constraints that are the rates of "
             "the velocity constraints, in the same order and not scaled; these are not. Use "

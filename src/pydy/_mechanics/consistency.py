@@ -209,13 +209,13 @@ def warn_of_accelerations(equations: Equations) -> None:
     if body.lagrangian is not None:  # whose derivatives contain no acceleration
         return
     tree = FrameTree(body.frame)
-    points = [p for p in (i.masscenter for i in mechanism.bodies) if tree.acceleration(p)]
-    frames = [i.frame for i in mechanism.bodies if is_rigid(i)]
-    frames = [f for f in frames if tree.angular_acceleration(f)]
-    if points or frames:
+    moved = [item for item in mechanism.bodies if tree.acceleration(item.masscenter)]
+    rigid = [item for item in mechanism.bodies if is_rigid(item)]
+    turned = [item for item in rigid if tree.angular_acceleration(item.frame)]
+    if moved or turned:
         from pydy._mechanics.set_accelerations import warn_of_set_accelerations
 
-        warn_of_set_accelerations(replace(body, bodies=mechanism.bodies), points, frames)
+        warn_of_set_accelerations(replace(body, bodies=mechanism.bodies), moved, turned)
 
 
 def _turns_apart(item: RigidBody) -> bool:

@@ -14,8 +14,8 @@ import numpy as np
 
 from pydy._checks import describe
 from pydy._errors import warn_user
-from pydy._graph import rounding_bounds
-from pydy._mechanics.components import consistent_numbers, finite_rows
+from pydy._graph import jacobian, rounding_bounds
+from pydy._mechanics.components import consistent_numbers, dot, finite_rows
 from pydy._mechanics.formulations import moving
 from pydy._mechanics.frames import orthogonality_residuals
 from pydy._mechanics.kinematics import Kinematics, Vec
@@ -23,28 +23,42 @@ from pydy._mechanics.multibody import Multibody
 from pydy._rank import DIGITS
 
 if TYPE_CHECKING:
-    from sympy.physics.mechanics import Point, ReferenceFrame
+    from sympy.physics.mechanics import Point, ReferenceFrame, RigidBody
+
+    from pydy._sympy_types import Body
 
 
 def warn_of_set_accelerations(
-    body: Multibody, points: Sequence[Point], frames: Sequence[ReferenceFrame]
+    body: Multibody, moved: Sequence[Body], turned: Sequence[RigidBody]
 ) -> None:
-    """Warn of the accelerations of points, and angular accelerations of frames, that were set.
+    """Warn of accelerations of mass centres and frames if the equations depend on the difference.
 
-    There must be no velocity constraints.
+    Those of the mass centres of `moved`, and of the frames of `turned`, were set. Constraint forces
+    do the rest of it. There must be no velocity constraints.
     """
     try:
-        k = moving(body, in_bodies=False, further_points=points)
-        pairs: dict[Point | ReferenceFrame, tuple[Vec, Vec]] = {}
-        for point in dict.fromkeys(points):
-            pairs[point] = k.acceleration(point), k.motion(point)[2]
-        for frame in dict.fromkeys(frames):
-            derived = k.spin(frame, k.inertial)[1]
-            pairs[frame] = k.angular_acceleration(frame, k.inertial), derived
+        k = moving(body, in_bodies=False, further_points=[item.masscenter for item in moved])
+        forces: dict[Point | ReferenceFrame, list[int]] = {}
+        for item in moved:
+            point = item.masscenter
+            _, v, a = k.motion(point)
+            forces[point] = _forces(k, v, k.acceleration(point), a)
+        for item in turned:
+            w, alpha = k.spin(item.frame, k.inertial)
+            tensor = k.tensor(item.central_inertia.args, k.inertial)
+            as_set = k.angular_acceleration(item.frame, k.inertial)
+            sides = (k.product(tensor, part) for part in (as_set, alpha))
+            forces[item.frame] = _forces(k, w, *sides)
     except (NotImplementedError, TypeError, ValueError):
         return  # functions that cannot be read here, as those of a method's own equations
     zero_rows = orthogonality_residuals(k.tree.rotation_matrices(), k.read)
-    wrong = [item for item, sides in pairs.items() if _differ(k, *sides, zero_rows)]
+    wrong = []
+    for where, nodes in forces.items():
+        bounds = rounding_bounds(k.graph, nodes, constants=True)
+        values = finite_rows(consistent_numbers(k.graph, [*nodes, *bounds], zero_rows))
+        sizes, magnitudes = np.split(np.abs(values), 2, axis=1)
+        if (sizes > DIGITS * magnitudes).any():
+            wrong.append(where)
     if wrong:
         warn_user(
             f"The accelerations that were set for {describe(wrong)} are not the derivatives of the "
@@ -54,9 +68,8 @@ def warn_of_set_accelerations(
         )
 
 
-def _differ(k: Kinematics, as_set: Vec, derived: Vec, zero_rows: list[int]) -> bool:
-    differences = [k.graph.sub(a, b) for a, b in zip(as_set, derived, strict=True)]
-    bounds = rounding_bounds(k.graph, differences, constants=True)
-    values = finite_rows(consistent_numbers(k.graph, [*differences, *bounds], zero_rows))
-    sizes, magnitudes = np.split(np.abs(values), 2, axis=1)
-    return bool((sizes > DIGITS * magnitudes).any())
+def _forces(k: Kinematics, velocity: Vec, as_set: Vec, derived: Vec) -> list[int]:
+    """Return nodes of the difference along each partial velocity."""
+    difference = [k.graph.sub(a, b) for a, b in zip(as_set, derived, strict=True)]
+    partial = jacobian(k.graph, velocity, k.speeds).dense()
+    return [dot(k.graph, column, difference) for column in zip(*partial, strict=True)]

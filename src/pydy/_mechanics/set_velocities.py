@@ -36,7 +36,7 @@ from pydy._rank import DIGITS
 if TYPE_CHECKING:
     from sympy.physics.mechanics import Point, ReferenceFrame, RigidBody
 
-    from pydy._mechanics.frame_tree import BaseAndSteps
+    from pydy._mechanics.frame_tree import AnyFrame, BaseAndSteps
 
 
 def warn_of_velocities(
@@ -54,9 +54,9 @@ def warn_of_velocities(
         parts = [part for step in steps for part in step.args]
         k.reroute(point, base, [k.frames.in_axes(k.read.all(v), frame) for v, frame in parts])
     frames = dict.fromkeys(item.frame for item in body.bodies if is_rigid(item))
-    spins = [k.spin(frame, k.inertial)[0] for frame in frames]
+    spins = {k.frames.axes(frame): k.spin(frame, k.inertial)[0] for frame in frames}
     moved = [v for point in k.moved() for pair in _offsets(k, point) for v in pair]
-    located = {*inputs_of(k.graph, [n for v in (*spins, *moved) for n in v])}
+    located = {*inputs_of(k.graph, [n for v in (*spins.values(), *moved) for n in v])}
     rows = k.read.all((*body.constraints.holonomic, *body.constraints.velocity))
     candidates = dict.fromkeys((*differing, *unneeded))
     points = [point for point in candidates if not _is_explained(k, point, spins, located, rows)]
@@ -156,7 +156,11 @@ def _along_turning_axes(k: Kinematics, zero_rows: list[int]) -> bool:
 
 
 def _is_explained(
-    k: Kinematics, point: Point, spins: list[Vec], located: set[int], constraints: list[int]
+    k: Kinematics,
+    point: Point,
+    spins: Mapping[AnyFrame, Vec],
+    located: set[int],
+    constraints: list[int],
 ) -> bool:
     """Return whether a velocity is that of a wheel, or has the speed of an omitted coordinate.
 
@@ -177,7 +181,10 @@ def _is_explained(
     following = [k.plus(before, *rates[j + 1 :]) for j in range(len(rates))]
     pairs = list(zip(turned, following, strict=True))
     candidates = [k.plus(before, *rates)]
-    candidates += [k.plus(k.cross(w, r), rest) for w in spins for r, rest in pairs]
+    # A wheel turns relative to the axes that its centre is located along, which turn with a fork.
+    below = {a for _, axes in k.parts(point) for a in k.frames.path_to_inertial(axes)[1:]}
+    wheels = [w for axes, w in spins.items() if axes not in below]
+    candidates += [k.plus(k.cross(w, r), rest) for w in wheels for r, rest in pairs]
     # Inputs may be taken for constant, whose rates are zero then; quaternions have unit length.
     inputs = enumerate(k.read.specifieds)
     resting = [g.input("r", i) for i, s in inputs if isinstance(s, sm.Derivative)]
