@@ -708,6 +708,12 @@ class Importer:
         self.unit.setContinuousStates((ctypes.c_double * len(states))(*states), len(states))
         return tuple(map(bool, self.unit.completedIntegratorStep()))
 
+    def moved(self, time, *states, **inputs):
+        """Return the same after a step in which inputs vary."""
+        self.unit.setTime(time)
+        self.set(**inputs)
+        return self.step(time, *states)
+
     def terminates(self):
         """Let the unit handle its events, and return whether it terminates."""
         update = "newDiscreteStates" if self.fmi == "2.0" else "updateDiscreteStates"
@@ -866,3 +872,82 @@ def test_a_saved_state_goes_on_after_an_end(bouncing):
     unit.freeFMUState(saved)
     unit.terminate()
     unit.freeInstance()
+
+
+@pytest.fixture(scope="module")
+def on_a_floor(tmp_path_factory):
+    """Units of a ball on a floor, whose height is an input, by version; `w` is its velocity."""
+    q, u, floor = me.dynamicsymbols("q u floor")
+    e, w = sm.symbols("e w")
+    frame, origin = inertial_frame()
+    point = origin.locatenew("P", q * frame.x)
+    body, loads = me.Particle("ball", point, 1), [(point, -9.81 * frame.x)]
+    system = System(
+        Definition(frame, [q], [u], bodies=[body], loads=loads),
+        outputs={"gap": q - floor}, constants_symbols=[e, w], times=[0.0, 3.0],
+    )  # fmt: skip
+    bounce = Event(q - floor, direction=-1, reset={u: w - e * (u - w)}, name="bounce")
+    folder = tmp_path_factory.mktemp("floor")
+    return {
+        fmi: fmpy.extract(system.export(folder / f"{fmi[0]}.fmu", fmi=fmi, events=bounce).path)
+        for fmi in VERSIONS
+    }
+
+
+@pytest.mark.parametrize("fmi", VERSIONS)
+@pytest.mark.parametrize(
+    ("rate", "e"), [(-3.0, 0.2), (-1.0, 0.2), (0.5, 0.2), (3.0, 0.2), (-1.0, 0.5), (3.0, 0.5)]
+)
+def test_bounces_on_a_floor_that_an_input_moves_accumulate_and_none_leads_through_it(
+    on_a_floor, fmi, rate, e
+):
+    """A ball that rebounds downwards, more slowly than the floor sinks, has left the floor."""
+    importer, step = Importer(on_a_floor[fmi], fmi, q=1.0, e=e, w=rate), 1e-3
+    t, q, u, above, gaps = 0.0, 1.0, 0.0, True, []
+    while t < 2.0:
+        size = step
+        crosses = (thrown(q, u, step)[0] > rate * (t + step)) != above
+        if crosses:  # importers stop a little late
+            roots = np.roots([-9.81 / 2, u - rate, q - rate * t])
+            size = min(r for r in roots if 0.0 < r <= step) + 1e-12
+        t, (q, u) = t + size, thrown(q, u, size)
+        asks, ends = importer.moved(t, q, u, floor=rate * t)
+        gaps.append(q - rate * t)
+        if not ends and (crosses or asks):
+            importer.unit.enterEventMode()
+            ends = importer.terminates()
+            importer.unit.enterContinuousTimeMode()
+        if ends:
+            break
+        q, u = importer.get("q"), importer.get("u")
+        above = q - rate * t > 0.0
+    importer.close()
+    # In the frame of the floor each flight is e times as long; the last are shorter than a step.
+    landing = np.sqrt(rate**2 + 2 * 9.81)
+    rest = (landing - rate) / 9.81 + 2 * landing / 9.81 * e / (1 - e)
+    assert rest - step / (1 - e) <= t <= rest + 2 * step
+    assert min(gaps) > -9.81 * step**2
+
+
+@pytest.mark.parametrize("fmi", VERSIONS)
+@pytest.mark.parametrize("when", ["event", "step", "before"])
+def test_an_input_that_leaps_has_no_rate(on_a_floor, fmi, when):
+    """As of a constant that leaps: the ball is knocked by the leap, and goes on below the floor."""
+    moment, end = 0.02, 0.1
+    height, speed = thrown(0.2, 0.5, moment)
+    importer = Importer(on_a_floor[fmi], fmi, q=0.2, u=0.5, e=0.5, w=0.0)
+    assert importer.step(moment / 2, *thrown(0.2, 0.5, moment / 2)) == (False, False)
+    if when == "before":
+        importer.set(floor=0.3)
+        assert importer.step(moment, height, speed) == (True, False)
+    else:
+        assert importer.step(moment, height, speed) == (False, False)
+        importer.set(floor=0.3)
+        if when == "step":
+            assert importer.step(moment, height, speed) == (True, False)
+    importer.happens()
+    assert importer.get("u") == -0.5 * speed
+    assert importer.step(end, *thrown(height, -0.5 * speed, end - moment)) == (False, False)
+    importer.happens()
+    assert importer.get("u") == pytest.approx(-0.5 * speed - 9.81 * (end - moment))
+    importer.close()

@@ -27,6 +27,7 @@ from pydy._mechanics import find_symbols
 from pydy._motion import (
     check_events,
     event_bounds_program,
+    event_input_rates_program,
     event_rates_program,
     event_redirects,
     projection_program,
@@ -188,6 +189,12 @@ def _builders(
             "event_bounds": partial(event_bounds_program, assembly, expressions),
         }.items():
             builders[part] = partial(lambda make: with_inputs(make(), columns), make)
+        if columns:
+            # The rates of the inputs follow these.
+            both = (*columns, *(assembly.sizes[1] + k for k in columns))
+            builders["event_input_rates"] = lambda: with_inputs(
+                event_input_rates_program(assembly, expressions), both
+            )
     return builders
 
 

@@ -357,7 +357,7 @@ class SymPyReader:
             raise ValueError(
                 f"`{expr}` occurs in {self.what}, but no argument provides it: it is not one of "
                 "the coordinates, speeds, constants or specifieds. Add it to one of them: where a "
-                "System's motion does not depend on it, by name in its `constants_symbols`."
+                f"System's motion does not depend on it, {_place_of(expr)}."
             )
         if expr is sm.I:
             raise _ImaginaryUnitError
@@ -498,6 +498,13 @@ def _is_definite(expr: sm.Sum | sm.Integral) -> bool:
 
 
 # -- derivatives that SymPy leaves unevaluated ----------------------------------------------------
+
+
+def _place_of(symbol: sm.Expr) -> str:
+    """Return where a user names a symbol that the equations do not hold."""
+    if isinstance(symbol, sm.Symbol):
+        return "by name in its `constants_symbols`"
+    return "by an output that holds it, in its `outputs`"
 
 
 def _is_unevaluated(expr: sm.Basic) -> bool:

@@ -4,6 +4,7 @@ from .events_and_constraints import (
     check_events as check_events,
     constraint_names as constraint_names,
     event_bounds_program as event_bounds_program,
+    event_input_rates_program as event_input_rates_program,
     event_rates_program as event_rates_program,
     event_redirects as event_redirects,
     native_solver as native_solver,

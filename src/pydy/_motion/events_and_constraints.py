@@ -161,7 +161,7 @@ def compile_events(
         sources=events,
         input_rates=model.compiled_by(
             ("rates of the events by specifieds", *expressions),
-            lambda: _input_rates_program(model.assembly, expressions),
+            lambda: event_input_rates_program(model.assembly, expressions),
         )
         if any("r" in inputs for inputs in groups)
         else None,
@@ -222,7 +222,7 @@ def event_rates_program(
     return lower_nodes(fork, {"rates": totals, "bounds": rounding_bounds(graph, nodes)}, as_is=True)
 
 
-def _input_rates_program(
+def event_input_rates_program(
     assembly: Assembly, expressions: Sequence[sm.Expr | NodeExpression]
 ) -> Program:
     """Return the Program of ∂g/∂r · ṙ, with ṙ behind r among its inputs."""

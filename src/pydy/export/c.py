@@ -24,6 +24,7 @@ _DESCRIPTIONS = {
     "events": "the expressions whose zero crossings are events",
     "event_rates": "the derivatives of these by time, along the motion",
     "event_bounds": "what rounding may do to the events' expressions, in units of 2^-52",
+    "event_input_rates": "what rates of the inputs, behind these in r, add to the events' rates",
     "resets": "for each event the states after it, event by event",
     "switches": "the times, in any order, at which rates switch whatever the states are",
 }
@@ -50,7 +51,11 @@ _KINDS = ("state", "input", "constant", "output")
 
 def functions_of(model: Model) -> tuple[str, ...]:
     """Return the names of a model's functions in C."""
-    names = [*_DESCRIPTIONS][:-1] if model.events else ["rates", "outputs", "jacobian"]
+    names = ["rates", "outputs", "jacobian"]
+    if model.events:
+        names += ["events", "event_rates", "event_bounds"]
+        names += [name for name in ("event_input_rates",) if name in model.builders]
+        names += ["resets"]
     return (*names, "switches") if model.switches else tuple(names)
 
 

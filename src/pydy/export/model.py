@@ -96,9 +96,9 @@ class Model:
         In the order of x, r, p and of the outputs.
     builders : mapping of str to callable
         Return the Programs: 'rates' (n,), 'outputs' (m,), 'jacobian' (n + m, n + s) of both by
-        states and inputs, 'events', 'event_rates' and 'event_bounds' (e,), 'resets' (e, n) the
-        states after each event, 'projection' (see `pydy.solvers.constraints`), and those of
-        `PARTS` that the equations have.
+        states and inputs, 'events', 'event_rates' and 'event_bounds' (e,), 'event_input_rates' (e,)
+        of inputs and their rates, 'resets' (e, n) the states after each event, 'projection' (see
+        `pydy.solvers.constraints`), and those of `PARTS` that the equations have.
     events : EventData
     start, stop : float
         The default time span for importers.

@@ -31,6 +31,9 @@ typedef struct {
     int prepared_fresh, switches_fresh, rates_fresh, outputs_fresh, running, starting;
     int64_t sides[NE + 1], fired[NE + 1], off[NE + 1], seen[NE + 1], led[NE + 1];
     double last_u[NU + 1], last_p[NP + 1]; /* after the last event or step of the importer */
+    /* of Model Exchange: the rates of the inputs, the inputs and the time from which they were told; the time of that
+       event or step, the inputs as the importer goes on from there, and how far they have jumped there */
+    double slopes[NU + 1], base_u[NU + 1], base, went_on, went_on_u[NU + 1], jumps[NU + 1];
     /* the outcome with which the motion has ended or failed, and the event, if it is one's */
     int64_t outcome, event;
     /* of the integration */
@@ -218,6 +221,11 @@ static int set_real(Model *m, unsigned vr, double value)
     if (vr >= AT_X && vr < AT_DX)
         m->x[vr - AT_X] = value;
     else if (vr >= AT_U && vr < AT_Y) {
+        if (m->t == m->went_on) {
+            const double jump = value - m->went_on_u[vr - AT_U];
+            m->jumps[vr - AT_U] += jump, m->base_u[vr - AT_U] += jump;
+            m->went_on_u[vr - AT_U] = value;
+        }
         m->u[vr - AT_U] = value;
         m->switches_fresh = 0;
     } else if (vr >= AT_P && vr < AT_Z) {
@@ -281,14 +289,61 @@ static int derivative(Model *m, const unsigned *unknowns, size_t rows, const uns
 
 /* -- events ----------------------------------------------------------------------------------- */
 
+/* Write the rates of events to m->dz, those with which inputs change included. */
+static void rates_of_events(Model *m, const double *x)
+{
+#if NE > 0
+    prepare(m);
+    MODEL(event_rates)(m->t, x, m->u, m->prepared, m->dz);
+#if NU > 0
+    double both[2 * NU], added[NE];
+    int varying = 0;
+    memcpy(both, m->u, NU * sizeof(double)), memcpy(both + NU, m->slopes, NU * sizeof(double));
+    for (int i = 0; i < NU; i++)
+        varying = varying || m->slopes[i] != 0.0;
+    if (!varying)
+        return;
+    MODEL(event_input_rates)(m->t, x, both, m->prepared, added);
+    for (int k = 0; k < NE; k++)
+        m->dz[k] += added[k];
+#endif
+#else
+    (void)m, (void)x;
+#endif
+}
+
+/* Begin to tell the rates of the inputs from now. */
+static void begin_slopes(Model *m)
+{
+    memcpy(m->base_u, m->u, sizeof m->u), memcpy(m->went_on_u, m->u, sizeof m->u);
+    memset(m->jumps, 0, sizeof m->jumps);
+    m->base = m->went_on = m->t;
+}
+
+/* Tell the rates of the inputs after a step of the importer, by differences. Shorter steps than those over
+   which roundings and curvature weigh alike (`_difference_step` of pydy/solvers/compiled_events.py) are told
+   with the next one. */
+static void tell_slopes(Model *m)
+{
+    const double step = m->t - m->base;
+    for (int i = 0; i < NU; i++)
+        m->last_u[i] = m->u[i] - m->jumps[i], m->jumps[i] = 0.0; /* what varies leads no event across */
+    memcpy(m->went_on_u, m->u, sizeof m->u);
+    m->went_on = m->t;
+    if (step < HALF * fmax(STOP_TIME - START_TIME, HALF * fabs(m->t)))
+        return;
+    for (int i = 0; i < NU; i++)
+        m->slopes[i] = (m->u[i] - m->base_u[i]) / step;
+    begin_slopes(m);
+}
+
 /* Set the sign that each event has just after now; where one is zero, fired or departs, its rate tells,
    unless a reset has led off its surface. */
 static void take_sides(Model *m)
 {
 #if NE > 0
-    prepare(m);
     event_values(m, m->t, m->x, m->z);
-    MODEL(event_rates)(m->t, m->x, m->u, m->prepared, m->dz);
+    rates_of_events(m, m->x);
     for (int k = 0; k < NE; k++) {
         const int on = (m->fired[k] && !m->off[k]) || m->z[k] == 0.0;
         const double value = on ? m->dz[k] : m->z[k];
@@ -324,7 +379,7 @@ static void reset_states(Model *m, int64_t event)
 
 static double event_rate(Model *m, const double *x, int k)
 {
-    MODEL(event_rates)(m->t, x, m->u, m->prepared, m->dz);
+    rates_of_events(m, x);
     return m->dz[k];
 }
 
@@ -345,7 +400,7 @@ static int is_stationary(Model *m, int k)
    pydy/solvers/run/departure.py. */
 static int resolved_side(Model *m, int k)
 {
-    double a[NX + 1], b[NX + 1], c[NX + 1], d[NX + 1], x[NX + 1], z[NE], size = STOP_TIME - START_TIME;
+    double a[NX + 1], b[NX + 1], c[NX + 1], d[NX + 1], x[NX + 1], u[NU + 1], z[NE], size = STOP_TIME - START_TIME;
     int side = 0;
     for (int halved = 0; halved < HALVINGS; halved++) {
         const double middle = m->t + 0.25 * size;
@@ -362,8 +417,10 @@ static int resolved_side(Model *m, int k)
         rates_at(m, m->t + size, x, d);
         for (int i = 0; i < NX; i++)
             x[i] = m->x[i] + size / 6.0 * (a[i] + 2.0 * b[i] + 2.0 * c[i] + d[i]);
-        MODEL(events)(m->t + size, x, m->u, m->prepared, z);
-        MODEL(event_bounds)(m->t + size, x, m->u, m->prepared, m->dz);
+        for (int i = 0; i < NU; i++)
+            u[i] = m->u[i] + size * m->slopes[i];
+        MODEL(events)(m->t + size, x, u, m->prepared, z);
+        MODEL(event_bounds)(m->t + size, x, u, m->prepared, m->dz);
         if (fabs(z[k]) > ROUNDINGS * ROUNDING * m->dz[k])
             side = sign_of(z[k]);
     }
@@ -533,10 +590,7 @@ static void evaluate_events(Model *m)
 {
     event_values(m, m->t, m->x, m->z);
     note_led(m);
-#if NE > 0
-    prepare(m);
-    MODEL(event_rates)(m->t, m->x, m->u, m->prepared, m->dz);
-#endif
+    rates_of_events(m, m->x);
 }
 
 /* After a step of the importer: tell in `waits` whether an event is to be handled that indicators at the
@@ -545,6 +599,7 @@ static void evaluate_events(Model *m)
 static int64_t complete_step(Model *m, int *waits)
 {
     int64_t outcome = FINISHED;
+    tell_slopes(m);
     evaluate_events(m);
     *waits = 0;
     for (int k = 0; k < NE; k++) {
@@ -571,6 +626,10 @@ static int64_t handle_events(Model *m, int *moved)
     const int starting = m->starting;
     m->passed = m->t; /* the importer goes on from here, beyond a switch */
     m->rates_fresh = 0;
+    if (starting)
+        begin_slopes(m);
+    else
+        tell_slopes(m);
     evaluate_events(m);
     for (int k = 0; k < NE && !starting; k++) {
         const double side = (double)m->sides[k];
