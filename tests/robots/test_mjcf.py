@@ -541,7 +541,7 @@ def test_what_a_joint_or_actuator_has_beyond_is_listed(tmp_path, case, said):
 
 def test_a_plugin_is_no_motor(tmp_path):
     """Its force is no multiple of its input."""
-    plugin = '<plugin plugin="mujoco.pid"><instance name="p"><config key="kp" value="4"/></instance>'
+    plugin = '<plugin plugin="mujoco.pid"><instance name="p"/>'
     servo = '<plugin name="m" joint="j" plugin="mujoco.pid" instance="p"/>'
     robot, *_ = bare(tmp_path, option=f"<extension>{plugin}</plugin></extension>", motor=servo)
     assert not robot.actuators
