@@ -1923,6 +1923,7 @@ class System:
         a: StateValues | None = None,
         t: ArrayLike | None = None,
         *,
+        acceleration: Vector | None = None,
         r: InputValues | None = None,
         p: ConstantValues | None = None,
     ) -> np.ndarray:
@@ -1935,6 +1936,8 @@ class System:
         ----------
         q, v, a, t, r, p
             As in `inverse_dynamics`; here a has all speeds.
+        acceleration
+            Of free fall, as in `gravity`, if it cannot be found from the loads.
 
         Returns
         -------
@@ -1944,7 +1947,8 @@ class System:
         Raises
         ------
         ValueError
-            Gravity cannot be found from the loads; see `gravity`. Or a mass may change with time.
+            Gravity cannot be found from the loads: give `acceleration`. Or a mass may change with
+            time.
 
         Examples
         --------
@@ -1956,7 +1960,8 @@ class System:
         >>> system.inertial_parameters()
         {'m of Pa0': 1.0, 'm of Pa1': 1.0}
         """
-        made, at = regressor(self._equations), (q, v, all_accelerations(a, self._equations), t)
+        made = regressor(self._equations, acceleration)
+        at = (q, v, all_accelerations(a, self._equations), t)
         return evaluate(self._now(constants=p), made, at, r, p, None, self._values)
 
     def base_parameters(
@@ -1966,6 +1971,7 @@ class System:
         a: StateValues,
         t: ArrayLike | None = None,
         *,
+        acceleration: Vector | None = None,
         r: InputValues | None = None,
         p: ConstantValues | None = None,
     ) -> BaseParameters:
@@ -1973,7 +1979,7 @@ class System:
 
         Parameters
         ----------
-        q, v, a, t, r, p
+        q, v, a, t, acceleration, r, p
             As in `regressor`: many states, measured ones or random ones.
 
         Returns
@@ -1990,7 +1996,8 @@ class System:
         >>> system.base_parameters(q, v, a).places
         [0, 1]
         """
-        return base_parameters(self._equations, self.regressor(q, v, a, t, r=r, p=p))
+        columns = self.regressor(q, v, a, t, acceleration=acceleration, r=r, p=p)
+        return base_parameters(self._equations, columns)
 
     # -- Linear models -----------------------------------------------------------------------------
 

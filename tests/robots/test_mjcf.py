@@ -537,3 +537,12 @@ def test_dry_friction_of_joints_with_several_axes(tmp_path, kind):
 def test_what_a_joint_or_actuator_has_beyond_is_listed(tmp_path, case, said):
     robot, *_ = bare(tmp_path, **case)
     assert robot.left_out == (said,)
+
+
+def test_a_plugin_is_no_motor(tmp_path):
+    """Its force is no multiple of its input."""
+    plugin = '<plugin plugin="mujoco.pid"><instance name="p"/>'
+    servo = '<plugin name="m" joint="j" plugin="mujoco.pid" instance="p"/>'
+    robot, *_ = bare(tmp_path, option=f"<extension>{plugin}</plugin></extension>", motor=servo)
+    assert not robot.actuators
+    assert robot.left_out == ("the actuator 'm', whose force a plugin computes", "plugins")

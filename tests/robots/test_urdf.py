@@ -465,6 +465,31 @@ def test_what_is_odd_is_listed_with_its_line(tmp_path):
     }
 
 
+def test_extensions_of_the_format_are_listed(tmp_path):
+    """Springs of Drake and Gazebo, dampers of Bullet, and loops would be missed without a word."""
+    more = '<dynamics damping="1" K="7000" friction="0"/><joint_properties damping="2"/>'
+    contact = '</inertial><contact><stiffness value="1"/></contact>'
+    parts = link().replace("</inertial>", contact), joint(more=more)
+    spring = '<force_element name="s"><torsional_spring stiffness="9"/></force_element>'
+    looks = '<gazebo reference="a"><material>Red</material><mu1>1</mu1></gazebo>'
+    weight = "<gazebo><turnGravityOff>false</turnGravityOff><gravity>1</gravity></gazebo>"
+    robot = read_text(tmp_path, robot_of(*parts, looks, weight, joint(name="k", up="a", down="b"),
+                                         link(name="b"), "<gazebo/>", spring))  # fmt: skip
+    assert robot.left_out == (
+        "<force_element> in <robot>, which the URDF format does not have",
+        "<contact> in <link>, which the URDF format does not have",
+        "<joint_properties> in <joint>, which the URDF format does not have",
+        "'K' of <dynamics>, which the URDF format does not have",
+    )
+    floating = "<gazebo reference='a'><turnGravityOff>true</turnGravityOff></gazebo>"
+    loop = "<gazebo><joint name='c'/><gravity>0</gravity></gazebo>"
+    robot = read_text(tmp_path, robot_of(link(), joint(), floating, loop))
+    assert robot.left_out == ("<turnGravityOff>, <joint>, <gravity> in <gazebo>",)
+    ball = '<drake:joint name="d" type="ball"><parent link="a"/><child link="b"/></drake:joint>'
+    with pytest.raises(RobotFileError, match=r"6: <drake:joint> is an extension of the URDF"):
+        read_text(tmp_path, robot_of(link(), joint(), link(name="b"), ball))
+
+
 def test_marks_without_size_are_left_out(tmp_path):
     marks = '<sphere radius="0"/>', '<box size="1 0 1"/>', '<cylinder length="0" radius="1"/>'
     for mark in marks:

@@ -13,8 +13,11 @@ from zoo import inertial_frame
 from zoo.cases import system_of
 
 
-def spatial_arm():
-    """Two bodies on hinges that are not parallel, with products of inertia, and a spring."""
+def spatial_arm(lift=0.0):
+    """Two bodies on hinges that are not parallel, with products of inertia, and a spring.
+
+    With a `lift`, this share of the hand's weight is compensated, and the frame is returned too.
+    """
     q, u = me.dynamicsymbols("q1:3"), me.dynamicsymbols("u1:3")
     frame, origin = inertial_frame()
     one = frame.orientnew("A", "Axis", (q[0], frame.z))
@@ -30,9 +33,13 @@ def spatial_arm():
             "hand", second, two, 1.5, (me.inertia(two, 0.2, 0.1, 0.3, 0.02, 0.01, 0), second)
         ),
     ]
-    loads = [(b.masscenter, -9.81 * b.mass * frame.y) for b in bodies]
+    loads = [
+        (b.masscenter, -9.81 * (1 - share) * b.mass * frame.y)
+        for b, share in zip(bodies, (0.0, lift), strict=True)
+    ]
     loads.append((two, -3.0 * q[1] * two.x))
-    return System(Definition(frame, q, u, bodies=bodies, loads=loads))
+    system = System(Definition(frame, q, u, bodies=bodies, loads=loads))
+    return (system, frame) if lift else system
 
 
 def test_forces_are_the_regressor_times_the_parameters():
@@ -148,6 +155,21 @@ def test_models_of_all_kinds_have_a_regressor(name):
     forces = system.regressor(q, v, a) @ parameters
     others = system.bias(q, 0 * v) - system.gravity(q)
     assert forces == pytest.approx(system.inverse_dynamics(q, v, a) - others, rel=1e-11, abs=1e-11)
+
+
+def test_gravity_is_given_where_a_weight_is_compensated():
+    """The regressor is that of the arm whose loads tell gravity; the lift is another load."""
+    q, v, a = np.random.default_rng(1).normal(size=(3, 6, 2))
+    expected = spatial_arm().regressor(q, v, a)
+    lifted, frame = spatial_arm(lift=0.5)
+    with pytest.raises(ValueError, match=r"Give it: `acceleration=-g\*N.z`"):
+        lifted.regressor(q, v, a)
+    columns = lifted.regressor(q, v, a, acceleration=-9.81 * frame.y)
+    np.testing.assert_allclose(columns, expected, rtol=1e-13, atol=1e-13)
+    weightless = lifted.regressor(q, v, a, acceleration=0 * frame.y)
+    assert abs(weightless - expected).max() > 1.0
+    base = lifted.base_parameters(q, v, a, acceleration=-9.81 * frame.y)
+    assert base.places == spatial_arm().base_parameters(q, v, a).places
 
 
 def test_what_is_not_linear_or_not_whole_is_told():

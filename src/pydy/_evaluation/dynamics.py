@@ -430,9 +430,14 @@ def gravity(equations: Equations, acceleration: Vector | None) -> Quantity:
             )
         return forces
 
-    fall = () if acceleration is None else tuple((*m, f) for m, f in acceleration.args)
     rows = (f"the weight at {speed}" for speed in equations.speeds)
-    return Quantity("gravity", fall, (len(equations.speeds),), expressions, rows)
+    key = components_of(acceleration)
+    return Quantity("gravity", key, (len(equations.speeds),), expressions, rows)
+
+
+def components_of(acceleration: Vector | None) -> tuple[tuple[object, ...], ...]:
+    """Return what distinguishes an acceleration: its components and their frames."""
+    return () if acceleration is None else tuple((*m, f) for m, f in acceleration.args)
 
 
 def frame_position(equations: Equations, method: object, target: object) -> Quantity:

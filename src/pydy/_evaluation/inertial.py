@@ -7,12 +7,14 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from sympy.physics.mechanics import RigidBody
 
-from pydy._evaluation.dynamics import Quantity, bodies_of
-from pydy._mechanics import BodyDynamics, Equations, Multibody
+from pydy._evaluation.dynamics import Quantity, bodies_of, components_of
+from pydy._mechanics import BodyDynamics, Equations, Multibody, checked_vector
 from pydy._names import unique_names
 from pydy._rank import ROUNDED, equilibrated, independent_columns
 
 if TYPE_CHECKING:
+    from sympy.physics.mechanics import Vector
+
     from pydy._mechanics import SymbolicNodes
 
 _COMPONENTS = ("m", "mx", "my", "mz", "Ixx", "Iyy", "Izz", "Ixy", "Iyz", "Ixz")
@@ -67,21 +69,27 @@ def inertial_parameters(equations: Equations) -> Quantity:
     )
 
 
-def regressor(equations: Equations) -> Quantity:
-    """Return the matrix that is multiplied by the inertial parameters in the forces of a motion."""
+def regressor(equations: Equations, acceleration: Vector | None) -> Quantity:
+    """Return the matrix that is multiplied by the inertial parameters in the forces of a motion.
+
+    Gravity is the loads' acceleration, or the given one.
+    """
+    if acceleration is not None:
+        checked_vector(acceleration, "`acceleration`")
     body = bodies_of(equations)
     n, count = len(equations.speeds), len(_parameter_names(body))
 
     def expressions(dynamics: BodyDynamics) -> SymbolicNodes:
-        matrix = dynamics.regressor(body)
+        matrix = dynamics.regressor(body, acceleration)
         if matrix is None:
             raise ValueError(
                 "The loads at the mass centres do not tell which way gravity pulls, which the "
-                "forces are linear in the masses with: write it as `-m*g*N.z` at each."
+                "forces are linear in the masses with: no acceleration times the mass is among "
+                f"them for all bodies. Give it: `acceleration=-g*{body.frame}.z`."
             )
         return matrix
 
-    return Quantity("regressor", (), (n, count), expressions, (), range(n))
+    return Quantity("regressor", components_of(acceleration), (n, count), expressions, (), range(n))
 
 
 def base_parameters(equations: Equations, columns: np.ndarray) -> BaseParameters:

@@ -184,17 +184,23 @@ class BodyDynamics:
         return self.in_symbols(kinematics, [g.neg(node) for node in forces])
 
     @collector_paused()
-    def regressor(self, body: Multibody) -> SymbolicNodes | None:
+    def regressor(
+        self, body: Multibody, acceleration: Vector | None = None
+    ) -> SymbolicNodes | None:
         """Return Y of τ = Y π + …, row by row, with the inertial parameters π of `parameters`.
 
         With the acceleration a of the mass centre, less gravity, and the angular velocity and
         acceleration in the body's axes, a mass m with the first moment h and the inertia I about
         that point takes the force m a + α × h + ω × (ω × h) and the torque h × a + I α + ω × I ω:
         linear in the ten (Khalil, Dombre, Modeling, Identification and Control of Robots, 2002,
-        ch. 9). None if gravity cannot be identified from the loads.
+        ch. 9). Gravity is found as in `holding_forces`.
         """
         kinematics = moving(body, in_bodies=True, driven=True)
-        gravity = None if body.lagrangian is not None else _common_gravity(kinematics)
+        gravity = (
+            None if acceleration is None else kinematics.vector(acceleration, kinematics.inertial)
+        )
+        if gravity is None and body.lagrangian is None:
+            gravity = _common_gravity(kinematics)
         if gravity is None:
             return None
         _refuse_varying_masses(kinematics)

@@ -329,6 +329,8 @@ class _MjcfReader:
             0 <= group <= 30 and model.opt.disableactuator & (1 << group)
         ):
             return "which the file turns off"
+        if model.actuator_plugin[k] >= 0:
+            return "whose force a plugin computes"
         transmission = mujoco.mjtTrn(model.actuator_trntype[k]).name.removeprefix("mjTRN_").lower()
         if transmission not in ("joint", "jointinparent", "tendon"):
             return f"which acts by '{transmission}'"

@@ -52,6 +52,21 @@ _SIZES: dict[str, list[tuple[str, None, int]]] = {  # arguments of `_UrdfReader.
 }
 
 
+_CHILDREN = {  # of the format; others are extensions of programs
+    "robot": {"link", "joint", "material", "transmission", "gazebo"},
+    "link": {"inertial", "visual", "collision"},
+    "joint": {
+        *("origin", "parent", "child", "axis", "calibration"),
+        *("dynamics", "limit", "mimic", "safety_controller"),
+    },
+}
+_NO_DYNAMICS = {  # extensions of Gazebo for contacts, ends of ranges, looks and measurements
+    *("collision", "fdir1", "fudgeFactor", "kd", "kp", "laserRetro", "material", "maxContacts"),
+    *("maxVel", "minDepth", "mu1", "mu2", "provideFeedback", "selfCollide", "self_collide"),
+    *("sensor", "stopCfm", "stopErp", "stopKd", "stopKp", "visual"),
+}
+
+
 class _UrdfReader:
     """The XML elements of a file, with their line numbers."""
 
@@ -110,6 +125,7 @@ class _UrdfReader:
 
         parser.StartElementHandler = start
         parser.EndElementHandler = builder.end
+        parser.CharacterDataHandler = builder.data
         try:
             parser.Parse(data, True)
         except (expat.ExpatError, RobotFileError):
@@ -211,6 +227,13 @@ def read_urdf(path: Path, floating: bool = False) -> Tree:
             f"{reader.location(root)}: the outermost element of a URDF file must be <robot>, got "
             f"<{root.tag}>."
         )
+    for element in root:
+        if element.tag.endswith((":joint", ":link")):  # Drake's, of types that URDF does not have
+            raise RobotFileError(
+                f"{reader.location(element)}: <{element.tag}> is an extension of the URDF format, "
+                "which is not read here. Write the robot with the joints that URDF has, or as an "
+                "MJCF file."
+            )
     links = {reader.text(e, "name"): e for e in root.findall("link")}
     joints = root.findall("joint")
     for kind, elements in (("link", root.findall("link")), ("joint", joints)):
@@ -231,6 +254,7 @@ def read_urdf(path: Path, floating: bool = False) -> Tree:
         tree_links[0].joints = [RobotJoint(name, "free", location=tree_links[0].location)]
     if root.find("transmission") is not None:
         left_out.append("transmissions: each joint has a force of its own")
+    left_out += _extensions(root)
     motors = [
         Motor(
             joint.name,
@@ -369,6 +393,45 @@ def _link(
         if shape is not None:
             link.visuals.append(shape)
     return link
+
+
+def _extensions(root: ElementTree.Element) -> list[str]:
+    """Return lines about elements and attributes that programs have added to the format.
+
+    Some of them are springs, dampers, loops, or weights that are turned off.
+    """
+    lines = []
+    for kind, elements in (
+        ("robot", [root]),
+        ("link", root.findall("link")),
+        ("joint", root.findall("joint")),
+    ):
+        tags = dict.fromkeys(child.tag for element in elements for child in element)
+        lines += [
+            f"<{tag}> in <{kind}>, which the URDF format does not have"
+            for tag in tags
+            if tag not in _CHILDREN[kind]
+        ]
+    attributes = dict.fromkeys(a for e in root.findall("joint/dynamics") for a in e.attrib)
+    lines += [
+        f"'{attribute}' of <dynamics>, which the URDF format does not have"
+        for attribute in attributes
+        if attribute not in ("damping", "friction")
+    ]
+    gazebo = dict.fromkeys(
+        f"<{element.tag}>"
+        for element in root.findall("gazebo/*")
+        if element.tag not in _NO_DYNAMICS and not _has_weight(element)
+    )
+    if gazebo:
+        lines.append(f"{', '.join(gazebo)} in <gazebo>")
+    return lines
+
+
+def _has_weight(element: ElementTree.Element) -> bool:
+    """Return whether Gazebo's element says that a link has its weight, as all links have here."""
+    text = (element.text or element.get("value") or "").strip().lower()
+    return (element.tag, text in ("true", "1")) in (("turnGravityOff", False), ("gravity", True))
 
 
 def _warn_of_inertias(reader: _UrdfReader, links: dict[str, ElementTree.Element]) -> None:

@@ -66,6 +66,16 @@ def _(v):
     return world().o.system.gravity(acceleration=v)
 
 
+@target("regressor.acceleration", nothing(allowed=one_of(None)))
+def _(v):
+    return world().o.system.regressor(acceleration=v)
+
+
+@target("base_parameters.acceleration", nothing(allowed=one_of(None)))
+def _(v):
+    return world().o.system.base_parameters(None, None, None, acceleration=v)
+
+
 for _method in ("frame_position", "frame_rotation", "frame_jacobian"):
 
     @target(f"{_method}.where", nothing("texts"))
