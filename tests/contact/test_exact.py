@@ -559,7 +559,7 @@ def test_a_floor_with_bumps_is_hit_where_a_flight_first_meets_it(solver, rate):
 
 
 @pytest.mark.parametrize("solver", ["dop853", "radau"])
-@pytest.mark.parametrize("kind", ["Piecewise", "samples"])
+@pytest.mark.parametrize("kind", ["later", "earlier", "middle", "samples"])
 @pytest.mark.parametrize("options", [{}, {"max_step": 1e-2}])
 def test_a_load_that_jumps_beyond_friction_sets_a_block_going(solver, kind, options):
     push, t = me.dynamicsymbols("push"), me.dynamicsymbols._t
@@ -570,12 +570,42 @@ def test_a_load_that_jumps_beyond_friction_sets_a_block_going(solver, kind, opti
         ode_solver=solver, times=np.linspace(0.0, 4.0, 81),
     )  # fmt: skip
     samples = SampledInput([0.0, 1.013, 5.0], [0.0, 4.0, 4.0], interpolation="previous")
-    jumps = sm.Piecewise((0, t < 1.013), (4, True))
-    system.specifieds = {push: jumps if kind == "Piecewise" else samples}
+    pushes = {  # by the value at the instant of the jump
+        "later": sm.Piecewise((0, t < 1.013), (4, True)),
+        "earlier": sm.Piecewise((0, t <= 1.013), (4, True)),
+        "middle": 4 * sm.Heaviside(t - 1.013),
+        "samples": samples,
+    }
+    system.specifieds = {push: pushes[kind]}
     motion = Contacts(system, [Stick(vx, mu=0.3, normal=10)]).simulate(**options)
     assert [event.name for event in motion.events] == ["friction slips"]
     assert motion.events[0].time == pytest.approx(1.013, abs=1e-12)
     assert motion["v_x"][-1] == pytest.approx(4.0 - 1.013, abs=1e-9)
+
+
+@pytest.mark.parametrize("across", [None, 0.0, 0.6])
+def test_a_belt_that_slows_down_too_fast_leaves_a_block_behind(across):
+    # It runs at 1 m/s, and from 1 s to 1.5 s slows down by 4 m/s² to −1 m/s: the block slides from
+    # its 1 m/s to −1 m/s at 3 m/s².
+    t = me.dynamicsymbols._t
+    belt = sm.Min(1, 2 * t) - sm.Max(0, sm.Min(2, 4 * (t - 1)))
+    P = O.locatenew("P", x * N.x + y * N.y)
+    P.set_vel(N, vx * N.x + vy * N.y)
+    system = System(
+        Definition(N, [x, y], [vx, vy], bodies=[me.Particle("P", P, 1)]),
+        ode_solver="dop853", initial_conditions={vy: across or 0.0}, times=np.linspace(0, 2, 21),
+    )  # fmt: skip
+    sliding = vx - belt if across is None else (vx - belt, vy)
+    contacts = Contacts(system, [Stick(sliding, mu=mu, normal=10, name="belt")], {mu: 0.3})
+    motion = contacts.simulate(sensitivities=[mu], **TIGHT)
+    stops = ["belt stops"] if across else []
+    assert [event.name for event in motion.events] == [*stops, "belt slips", "belt stops"]
+    slips, stops = motion.events[-2:]
+    assert slips.time == pytest.approx(1.0, abs=1e-12)
+    assert stops.time == pytest.approx(1.0 + 2.0 / 3.0, abs=1e-9)
+    assert stops.time_sensitivity == pytest.approx(-2.0 / 0.3 / 3.0, abs=1e-7)
+    carried = motion["x"][-1] - motion.at([1.0])["x"][0]
+    assert carried == pytest.approx(-1.0 / 3.0, abs=1e-9)  # symmetric, then 1/3 s at −1 m/s
 
 
 @pytest.mark.parametrize(("number", "height"), [(2, 0.1), (3, 0.01), (3, 0.2), (3, 0.3)])

@@ -1,7 +1,7 @@
 """Derivatives of motions with contacts, against closed forms and central differences."""
 
 import math
-from contextlib import nullcontext, suppress
+from contextlib import nullcontext
 
 import numpy as np
 import pytest
@@ -269,13 +269,28 @@ def test_the_time_of_a_stop_in_a_plane_is_right_or_not_known():
     compared(across, [k, r, mu], ["x", "y"], rtol=1e-10, atol=1e-10)
     contacts = pulled((k, r), {vx: 0.3, vy: 0.4}, {k: 0.3, r: 0.4})  # a pull along the slide
     compared(contacts, [mu, k, vx], ["x", "y"], rtol=1e-10, atol=1e-10)
-    curved = pulled((0, 0.8), {vx: 1.2, vy: 0.9}, {}, 0.2)
-    # An error says where it stops that its speed along the reference has no slope there.
-    with suppress(ContactError):
-        motion = curved.simulate(sensitivities=[mu], rtol=1e-9, atol=1e-9)
-        assert motion.events[-1].name == "floor stops"
-        assert np.isnan(motion.events[-1].time_sensitivity).all()
-        assert np.isfinite(motion.sensitivity.values).all()
+    curved = pulled((0, k), {vx: 1.2, vy: 0.9}, {k: 0.8}, 0.2)
+    compared(curved, [mu, k, vx], ["x", "y"], 1e-4, **TIGHT)
+
+
+@pytest.mark.parametrize("tolerance", [1e-7, 1e-9, 1e-12])
+def test_a_pull_turns_a_slide_until_it_stops(tolerance):
+    # With the speed v at the angle φ from a pull F: v' = F cos φ − μ g, v φ' = −F sin φ, so that
+    # v (μ g + F cos φ) falls at the constant rate (μ g)² − F².
+    curved = pulled((0, k), {vx: 1.2, vy: 0.9}, {k: 0.8}, 0.2)
+    motion = curved.simulate(sensitivities=[mu, k], rtol=tolerance, atol=tolerance)
+    (stops,) = motion.events
+    held, pull, rises = 0.2 * 10.0, 0.8, 1.5 * 0.6  # μ g, F, and v₀ cos φ₀
+    below, above = held**2 - pull**2, 1.5 * held + pull * rises
+    assert stops.time == pytest.approx(above / below, rel=20 * tolerance)
+    by_held = 1.5 / below - above * 2 * held / below**2
+    by_pull = rises / below + above * 2 * pull / below**2
+    within = 100 * tolerance + 1e-7
+    assert stops.time_sensitivity == pytest.approx([10.0 * by_held, by_pull], rel=within)
+    gradient = curved.system.adjoint_gradient(
+        [mu, k], final=x, contacts=curved, rtol=tolerance, atol=tolerance
+    )
+    assert gradient.values == pytest.approx(motion.sensitivity["x"][-1], rel=within)
 
 
 @pytest.mark.parametrize(("angle", "value"), [(1.3, 0.25), (1.45, 0.1), (1.5, 0.2)])

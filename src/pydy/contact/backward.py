@@ -113,9 +113,13 @@ class RecordedTransitions(Transitions):
         """Begin the matrix of a transition at the event that ends a mode."""
         self.end_mode(self._unit, self._event_times[record.index], rates)
 
-    def doubt(self, values: Mapping[AnySymbol, float], rows: Sequence[int]) -> None:
-        """Treat the time of a stop in a plane as unknown: nearby motions do not stop there."""
-        self.doubtful[:] = True
+    def doubt(self, values: Mapping[AnySymbol, float], i: int) -> None:
+        """Treat the time of a stop in a plane as unknown: nearby motions do not stop there.
+
+        They do where the slide ended at its `rest_speed`.
+        """
+        marked = self.turned if self.rest_speeds.get(i) else self.doubtful
+        marked[:] = True
 
     def separating_parameters(
         self, i: int, slopes: np.ndarray, p: RowValues, share: float

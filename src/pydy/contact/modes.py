@@ -216,7 +216,7 @@ class Mode:
         g, rows = self.graph, self.rows
         if mode not in (SLIDING, STARTING):
             return [g.const(SLIDES[mode])]
-        *reference, least, _ = self._reference(i)
+        *reference, least, _, _ = self._reference(i)
         speeds = [
             g.add(rows.speeds[k], g.mul(least, component))
             for k, component in zip(rows.tangent[i], reference, strict=True)
@@ -307,9 +307,9 @@ class Mode:
                 watch(g.sub(most, forces[0]), "slips", i)
                 watch(g.add(most, forces[0]), "slips", i)
             if mode in (SLIDING, STARTING):
-                *reference, _, clear = self._reference(i)
+                *reference, _, clear, rest = self._reference(i)
                 ahead, square = (dot(g, speeds, vector) for vector in (reference, speeds))
-                watch(ahead, "stops", i)
+                watch(g.sub(ahead, rest), "stops", i)  # see `Transitions.rest_speed`
                 if mode == STARTING:
                     watch(g.sub(g.powi(clear, 2), square), "clears", i)
                 else:

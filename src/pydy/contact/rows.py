@@ -125,9 +125,9 @@ class ContactRows:
     ) -> None:
         self.equations, self.contacts = equations, tuple(contacts)
         formed = _checked(equations)
-        # For sliding in a plane: the reference direction of each contact, and two speeds.
+        # For sliding in a plane: the reference direction of each contact, and three speeds.
         self.references = {
-            i: sm.symbols([f"{c.name}_reference_{k}" for k in ("1", "2", "least", "clear")])
+            i: sm.symbols([f"{c.name}_reference_{k}" for k in ("1", "2", "least", "clear", "rest")])
             for i, c in enumerate(contacts)
             if c.stick is not None and c.stick.plane
         }

@@ -302,14 +302,10 @@ class ContactRun:
         later = 1.0 / (a * (1.0 - ratio)) if ratio < 1.0 else 0.0
         limit, name = float(state.t + 2.0 * v * later), f"{self.contacts[i].name} rests"
         record = EventRecord(limit, name, i, state.x.copy(), state.x.copy())
-        if isinstance(self.transitions, HybridSensitivities):  # other contacts' forces are constant
-            normal, by_e = self.rows.normal[i], slopes["restitution"][i]
-            slower = v * later * a * by_e + v / a * slopes["free"][normal]
-            faster = -p.restitution[i] * slopes["speed"][normal] - p.speed[normal] * by_e
-            limit_sensitivity = self.transitions.time + 2.0 * later * (faster + slower)
-            if self.compiled.hypothesis == "poisson":  # other contacts change the ratio
-                limit_sensitivity = np.full(len(limit_sensitivity), np.nan)
-            record = replace(record, time_sensitivity=limit_sensitivity)
+        if isinstance(self.transitions, HybridSensitivities):
+            known = self.compiled.hypothesis == "newton"  # otherwise contacts change the ratio
+            by_wrt = self.transitions.limit_of_rebounds(i, p, rebound, later, slopes, known)
+            record = replace(record, time_sensitivity=by_wrt)
         if limit <= self.times[-1]:
             self.records.append(record)
 
@@ -380,7 +376,7 @@ class ContactRun:
 
     def _integrate_modes(self, state: State) -> None:
         """Integrate mode after mode, until the end."""
-        fixed: dict[int, str] = {}
+        fixed, fired = dict[int, str](), list[tuple[str, int]]()
         instants, transitions = 0, 0
         excluded: set[tuple[str, ...]] = set()  # combinations already tried at this instant
         while True:
@@ -388,6 +384,11 @@ class ContactRun:
                 raise KeyboardInterrupt
             before, closed, at_rest = state.t, set(state.closed), set(state.at_rest)
             solution = self.select_modes(state, fixed, excluded)
+            ended = {kind for kind, _ in fired} & {"opens", "slips"}
+            if ended and solution.modes == self.modes:
+                # A load that jumps in time still has its value before the jump at this instant.
+                state.t = float(np.nextafter(state.t, np.inf))
+                solution = self.select_modes(state, fixed, excluded)
             if self.redundant and excluded:
                 self.note_changes(state, solution)
             for i, kind in self.pending_events.items():
@@ -395,8 +396,8 @@ class ContactRun:
                     self.note(state, i, kind, state.x)
             self.pending_events = {}
             self.modes = solution.modes
-            ended, fired = self.run(state, solution)
-            if ended:
+            finished, fired = self.run(state, solution)
+            if finished:
                 return
             same_instant = state.t - before <= self.resolution(state.t)
             excluded = excluded if same_instant else set()
@@ -574,12 +575,14 @@ class ContactRun:
             gained = float(np.linalg.norm(p.free[rows])) * self.span
             # The speed gained in the shortest possible step, 16 roundings of the time.
             least = 16.0 * eps * max(float(np.linalg.norm(p.speed_rounding[rows])), gained)
-            # Sensitivities turn too fast before a stop; without them, stop below the resolution.
-            clear = 0.0 if self.transitions is not None else self.unresolved(i)
+            clear, rest = self.unresolved(i), 0.0
+            if self.transitions is not None:
+                bounds = clear / ERRORS, ROUNDING_MARGIN * least
+                clear, rest = 0.0, self.transitions.rest_speed(i, p.speed[rows], *bounds)
             if solution.modes[i] == STARTING:
                 least, clear = max(least, RESOLVED * float(np.min(self.atol))), BEGUN * gained
             unit = map(float, solution.directions.get(i, np.array([1.0, 0.0])))
-            values.update(zip(symbols, [*unit, least or 1.0, clear], strict=True))
+            values.update(zip(symbols, [*unit, least or 1.0, clear, rest], strict=True))
         return values
 
     def settle(self, state: State, active: tuple[int, ...]) -> None:
@@ -645,7 +648,7 @@ class ContactRun:
             kind, i = kinds[event.index]
             if kind in ("stops", "bends") and len(self.rows.tangent[i]) == 2:
                 values = self.values(end, event.before[: self.n])
-                self.transitions.doubt(values, self.rows.tangent[i])
+                self.transitions.doubt(values, i)
         after = at_end[-1].after[: self.n].copy()
         p, lasted = self.numbers(end, after), end - state.t
         for i in [i for i in state.at_rest if mode.modes[i] in SLIDES]:

@@ -70,6 +70,9 @@ class Transitions:
         self.total = total
         self.time = np.zeros(len(constants))
         self.doubtful = np.zeros(len(constants), dtype=bool)  # columns whose `time` is unknown
+        # Columns of a slide that ended at its `rest_speed`, where it had turned to the side.
+        self.turned = np.zeros(len(constants), dtype=bool)
+        self.rest_speeds: dict[int, float] = {}
         # By contact: bounds on the effect of rounding of impulse derivatives on its gap.
         self.blurred = np.zeros((len(rows.contacts), len(constants)))
 
@@ -114,12 +117,23 @@ class Transitions:
 
     # -- effects of transitions -------------------------------------------------------------------
 
+    def rest_speed(self, i: int, speed: np.ndarray, tolerance: float, rounding: float) -> float:
+        """Return the sliding speed at which a slide in a plane ends, 0 for where it vanishes.
+
+        Friction μ N turns derivatives of the velocity v towards it at the rate μ N/(m |v|), so that
+        no step leads to v = 0 where the direction of v depends on a parameter. At the solver's
+        `tolerance` they have turned; projection onto the rows of sticking does the rest.
+        """
+        rest = max(tolerance, rounding)
+        self.rest_speeds[i] = rest if np.linalg.norm(speed) > rest else 0.0
+        return self.rest_speeds[i]
+
     def end_mode(self, before: np.ndarray, time: np.ndarray, rates: np.ndarray) -> None:
         """Set D from S before the event that ends a mode, and the derivatives of its time.
 
         The latter are NaN where they are unknown.
         """
-        self.doubtful = np.isnan(time)
+        self.doubtful, self.turned = np.isnan(time), np.zeros(len(time), dtype=bool)
         self.time = np.where(self.doubtful, 0.0, time)
         self.total = before + np.outer(rates, self.time)
 
@@ -128,7 +142,7 @@ class Transitions:
 
         If it sticks, projection removes the effect of the time of the stop.
         """
-        if slides and self.doubtful.any():
+        if slides and (self.doubtful | self.turned).any():
             raise NotImplementedError(
                 "`sensitivities` where a body comes to rest in a plane after a slide that curves, "
                 "and slides on, are not known. Simulate without `sensitivities`."
@@ -341,20 +355,46 @@ class HybridSensitivities(Transitions):
         self._before = record.sensitivity_before
         self.end_mode(self._before, record.time_sensitivity, rates)
 
-    def doubt(self, values: Mapping[AnySymbol, float], rows: Sequence[int]) -> None:
+    def doubt(self, values: Mapping[AnySymbol, float], i: int) -> None:
         """Mark parameters for which the derivative of the time of a stop in a plane is unknown.
 
         At a stop both sliding speeds vanish for all parameter values. One of them determines the
         derivative of the time; if the other contradicts it, friction turned the velocity too fast
         at the end. A contact that sticks next does not depend on it: projection removes its effect.
+        Where the slide ended at its `rest_speed`, that determines the derivative of the time.
         """
+        rows = self.rows.tangent[i]
         speeds = self.slopes(values)["speed"][rows]
         total, time = self.total, self.time
         assert self._before is not None
         self.total, self.time = self._before, np.zeros(len(time))
         size = np.linalg.norm(self.slopes(values)["speed"][rows], axis=0)
         self.total, self.time = total, time
-        self.doubtful |= ~(np.linalg.norm(speeds, axis=0) <= SLACK * size)
+        remains = ~(np.linalg.norm(speeds, axis=0) <= SLACK * size)
+        marked = self.turned if self.rest_speeds.get(i) else self.doubtful
+        marked |= remains
+
+    def limit_of_rebounds(
+        self,
+        i: int,
+        p: RowValues,
+        rebound: tuple[float, float, float],
+        later: float,
+        slopes: Mapping[str, np.ndarray],
+        known: bool,
+    ) -> np.ndarray:
+        """Return the derivatives of the time at which rebounds accumulate (Zeno behaviour).
+
+        `rebound` and `slopes` are as in `ContactRun.note_rest`; with the first rebound at v and the
+        acceleration −a the limit is 2 v `later` after the impact. The forces of other contacts are
+        constant, and so is the ratio of successive speeds. Without a `known` ratio they are NaN.
+        """
+        v, a, _ = rebound
+        normal, by_e = self.rows.normal[i], slopes["restitution"][i]
+        slower = v * later * a * by_e + v / a * slopes["free"][normal]
+        faster = -p.restitution[i] * slopes["speed"][normal] - p.speed[normal] * by_e
+        result: np.ndarray = self.time + 2.0 * later * (faster + slower)
+        return result if known else np.full(len(result), np.nan)
 
     def separating_parameters(
         self, i: int, slopes: np.ndarray, p: RowValues, share: float
