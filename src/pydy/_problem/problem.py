@@ -12,7 +12,6 @@ import numpy as np
 from pydy._assembly import CompiledModel, Definition
 from pydy._forks import cached_property
 from pydy._kernel import Inputs
-from pydy._problem.curves import warn_of_curves
 from pydy._problem.entries import check_specifieds
 from pydy._problem.model import Model, ModelBuilder
 from pydy._problem.residuals import solved_residuals
@@ -107,7 +106,11 @@ class Problem:
         """The constants in order."""
         settings, constants = self.settings, self.settings.constants
         numbers = read_numbers(self.definition, "constants", constants, settings.contradicted)
-        warn_of_curves(self.definition, constants, settings.already_warned)
+        body = self.definition.equations.multibody
+        if body is not None and body.curve_coefficients:
+            from pydy._problem.curves import warn_of_curves
+
+            warn_of_curves(self.definition, constants, settings.already_warned)
         return numbers
 
     @property

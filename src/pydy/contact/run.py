@@ -384,8 +384,8 @@ class ContactRun:
                 raise KeyboardInterrupt
             before, closed, at_rest = state.t, set(state.closed), set(state.at_rest)
             solution = self.select_modes(state, fixed, excluded)
-            ended = {kind for kind, _ in fired} & {"opens", "slips"}
-            if ended and solution.modes == self.modes:
+            unchanged = fired and solution.modes == self.modes
+            if unchanged and {kind for kind, _ in fired} & {"opens", "slips"}:
                 # A load that jumps in time still has its value before the jump at this instant.
                 state.t = float(np.nextafter(state.t, np.inf))
                 solution = self.select_modes(state, fixed, excluded)
