@@ -11,6 +11,7 @@ from pydy._mechanics.tuning import ACROSS
 from pydy._rank import ROUNDED
 
 _STATES = 3
+_ATTEMPTS = 4  # links of random lengths close a loop in every second state or so
 
 
 def dot(graph: Graph, a: Sequence[int], b: Sequence[int], *further_terms: tuple[int, float]) -> int:
@@ -74,15 +75,17 @@ def numbers_of(
     zero_rows: Sequence[int] = (),
     zeros: Sequence[int] = (),
     common: Sequence[int] = (),
+    kept: Sequence[int] = (),
+    seed: int = 0,
 ) -> np.ndarray:
     """Return values of nodes at random states, one row for each, at which `zero_rows` vanish.
 
-    All inputs of these rows may change: quaternions get unit length, random lengths close a loop.
-    Inputs among `zeros` that do not occur in them are zero. Those among `common` are equal in all
-    states before.
+    All inputs of these rows may change, except those `kept`: quaternions get unit length, random
+    lengths close a loop. Inputs among `zeros` that do not occur in them are zero. Those among
+    `common` are equal in all states before.
     """
     inputs = [*inputs_of(graph, [*flat, *zero_rows])]
-    x = np.random.default_rng(0).uniform(0.5, 1.5, (_STATES, len(inputs)))
+    x = np.random.default_rng(seed).uniform(0.5, 1.5, (_STATES, len(inputs)))
     determined = {*graph.reachable(zero_rows)}
     x[:, [n in zeros and n not in determined for n in inputs]] = 0.0
     shared = [n in common for n in inputs]
@@ -93,6 +96,7 @@ def numbers_of(
 
     if zero_rows:
         slopes = jacobian(graph, zero_rows, inputs).flat()
+        is_kept = [n in kept for n in inputs]
         for _ in range(12):  # each Newton step doubles the digits
             newton = values([*zero_rows, *slopes])
             if not np.isfinite(newton).all():
@@ -100,6 +104,7 @@ def numbers_of(
             residuals, slope = newton[:, : len(zero_rows)], newton[:, len(zero_rows) :]
             for k in range(_STATES):
                 matrix = slope[k].reshape(len(zero_rows), -1)
+                matrix[:, is_kept] = 0.0
                 x[k] -= np.linalg.lstsq(matrix, residuals[k], rcond=None)[0]
     return values(flat)
 
@@ -109,14 +114,22 @@ def consistent_numbers(
 ) -> np.ndarray:
     """Return values as `numbers_of`, at the states alone where `zero_rows` do vanish.
 
-    There may be none: a mechanism of random lengths cannot always be assembled.
+    Constants keep their random values if some states can be found so: Newton's method may close a
+    loop with links of no length. There may be none, if a mechanism cannot be assembled.
     """
     nodes = [*flat, *zero_rows, *rounding_bounds(graph, zero_rows)]
-    with np.errstate(all="ignore"):
-        rows = numbers_of(graph, nodes, zero_rows, zeros)
     splits = [len(flat), len(flat) + len(zero_rows)]
-    values, residuals, bounds = np.split(rows, splits, axis=1)
-    consistent: np.ndarray = values[(np.abs(residuals) <= ROUNDED * bounds).all(axis=1)]
+    constants = [n for n in inputs_of(graph, zero_rows) if graph.args[n][0] == "p"]
+    attempts = [(constants, seed) for seed in range(_ATTEMPTS)] if constants else []
+    consistent = np.empty((0, len(flat)))
+    for kept, seed in [*attempts, ((), 0)]:
+        with np.errstate(all="ignore"):
+            rows = numbers_of(graph, nodes, zero_rows, zeros, kept=kept, seed=seed)
+        values, residuals, bounds = np.split(rows, splits, axis=1)
+        vanish = (np.abs(residuals) <= ROUNDED * bounds).all(axis=1)
+        consistent = np.vstack([consistent, values[vanish]])
+        if len(consistent) >= _STATES:
+            break
     return consistent
 
 
