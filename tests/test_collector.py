@@ -21,7 +21,8 @@ def test_what_others_froze_stays_frozen():
         count = gc.get_freeze_count()
         with collector_paused():
             pass
-        assert gc.get_freeze_count() == count > 0
+        # Single frozen objects may die meanwhile; thawed, there are none.
+        assert gc.get_freeze_count() > count / 2 > 0
     finally:
         gc.unfreeze()
 

@@ -59,6 +59,39 @@ def test_right_accelerations_are_not_told():
     double_pendulum(accelerate)
 
 
+@pytest.mark.parametrize("right", [True, False])
+def test_accelerations_in_a_closed_loop_are_checked(right):
+    """A crank and its rod, whose end Q slides along x."""
+    N, O = me.ReferenceFrame("N"), me.Point("O")
+    O.set_vel(N, 0)
+    A = N.orientnew("A", "Axis", (q[0], N.z))
+    B = N.orientnew("B", "Axis", (q[1], N.z))
+    for frame, speed in zip((A, B), u, strict=False):
+        frame.set_ang_vel(N, speed * N.z)
+    P, Q = O.locatenew("P", r * A.x), me.Point("Q")
+    Q.set_pos(P, length * B.x)
+    P.v2pt_theory(O, N, A)
+    P.a2pt_theory(O, N, A)
+    Q.v2pt_theory(P, N, B)
+    Q.a2pt_theory(P, N, B if right else A)
+    kane = me.KanesMethod(
+        N,
+        q[:1],
+        u[:1],
+        [a.diff() - b for a, b in zip(q[:2], u[:2], strict=True)],
+        q_dependent=q[1:2],
+        configuration_constraints=[Q.pos_from(O).dot(N.y)],
+        u_dependent=u[1:2],
+        velocity_constraints=[Q.vel(N).dot(N.y)],
+    )
+    kane.kanes_equations([me.Particle(str(p), p, m) for p in (P, Q)], [(Q, -m * g * N.x)])
+    if right:
+        System(kane)
+    else:
+        with pytest.warns(PyDyUserWarning, match="accelerations that were set for Q are not"):
+            System(kane)
+
+
 def test_a_lagrangian_contains_no_accelerations():
     N, O = me.ReferenceFrame("N"), me.Point("O")
     O.set_vel(N, 0)

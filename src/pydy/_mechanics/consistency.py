@@ -204,7 +204,7 @@ def warn_of_inertias(equations: Equations) -> None:
 def warn_of_accelerations(equations: Equations) -> None:
     """Warn of accelerations that were set and are not the derivatives of the velocities."""
     body, mechanism = equations.multibody, equations.mechanism
-    if body is None or mechanism is None or body.constraints.velocity:
+    if body is None or mechanism is None:
         return
     if body.lagrangian is not None:  # whose derivatives contain no acceleration
         return

@@ -1,8 +1,9 @@
 """A warning of accelerations that the user set, and that are not the derivatives of velocities.
 
 The equations contain them as they were set, by `a2pt_theory` with another frame for example, or
-from the contact point of a wheel, or before a velocity was changed. Not checked are mechanisms with
-constraints, which may have been used to shorten them.
+from the contact point of a wheel, or before a velocity was changed. With constraints, positions and
+velocities in them may have been shortened, so that they are compared at assembled states; u' may
+not be, since the equations add what the constraints say of it.
 """
 
 from __future__ import annotations
@@ -34,7 +35,7 @@ def warn_of_set_accelerations(
     """Warn of accelerations of mass centres and frames if the equations depend on the difference.
 
     Those of the mass centres of `moved`, and of the frames of `turned`, were set. Constraint forces
-    do the rest of it. There must be no velocity constraints.
+    do the rest of it.
     """
     try:
         k = moving(body, in_bodies=False, further_points=[item.masscenter for item in moved])
@@ -52,6 +53,7 @@ def warn_of_set_accelerations(
     except (NotImplementedError, TypeError, ValueError):
         return  # functions that cannot be read here, as those of a method's own equations
     zero_rows = orthogonality_residuals(k.tree.rotation_matrices(), k.read)
+    zero_rows += k.read.all((*body.constraints.holonomic, *body.constraints.velocity))
     wrong = []
     for where, nodes in forces.items():
         bounds = rounding_bounds(k.graph, nodes, constants=True)
