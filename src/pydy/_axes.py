@@ -63,7 +63,8 @@ def units_by_name(
 ) -> dict[str, tuple[str, float]]:
     """Return units and factors by name; those of `states` in degrees need their factor."""
     by_name, names = {}, []
-    for key, unit in check_mapping("units", units).items():
+    remedy = "Give each quantity its unit: `units={'q': 'm', 'u': 'm/s'}`."
+    for key, unit in check_mapping("units", units, remedy, always=True).items():
         name = name_of_key(key)
         names.append(name)
         state = name if name.removesuffix("'") in states else ""

@@ -123,10 +123,12 @@ def _shaped(value: Any) -> str:
     return f"{kind} of the shape {tuple(value.shape)}{dtype_text}"
 
 
-def check_mapping(argument: str, value: object, remedy: str = "") -> dict[Any, Any]:
+def check_mapping(
+    argument: str, value: object, remedy: str = "", *, always: bool = False
+) -> dict[Any, Any]:
     """Return a dictionary without copying it, so that its later changes are seen; None is empty.
 
-    The `remedy` says what to do with a sequence of values.
+    The `remedy` says what to do with a sequence of values, or `always`, with anything else.
     """
     if value is None:
         return {}
@@ -136,7 +138,8 @@ def check_mapping(argument: str, value: object, remedy: str = "") -> dict[Any, A
         return value.data
     if isinstance(value, Mapping):
         return dict(value)
-    remedy = f" {remedy}" if remedy and isinstance(value, (list, tuple, np.ndarray)) else ""
+    sequence = isinstance(value, (list, tuple, np.ndarray))
+    remedy = f" {remedy}" if remedy and (sequence or always) else ""
     raise TypeError(f"`{argument}` must be a dictionary, got {type(value).__name__}.{remedy}")
 
 

@@ -457,6 +457,11 @@ REFUSED = {
         UnsupportedFunctionError,
         r"F\(t\).*`h\(q0\(t\)\)`.*not a function of time",
     ),
+    "a delayed state": (
+        {F: -Q0.subs(T, T - sm.Symbol("tau"))},
+        UnsupportedFunctionError,
+        r"F\(t\).*A delay of `q0` needs its past.*equation of its own",
+    ),
     "a function without code": (
         {F: sm.stieltjes(Q0)},
         UnsupportedFunctionError,

@@ -541,3 +541,11 @@ def test_slow_instability_is_seen_beside_fast_motions(fast):
     assert point.kind == "Hopf"
     assert point.value == pytest.approx(root, abs=1e-11 * fast)
     np.testing.assert_array_equal(branch.stable, branch.values < root)
+
+
+@pytest.mark.parametrize("analysis", ["eigenvalues", "follow_equilibria"])
+def test_a_parameter_apart_from_its_values_is_told_to_join_them(analysis):
+    system = multi_mass_spring_damper()
+    arguments = ("k0", [1.0, 2.0]) if analysis == "eigenvalues" else ("k0",)
+    with pytest.raises(TypeError, match=r"`over` must be a dictionary, got str\. .*over=\{"):
+        getattr(system, analysis)(*arguments)

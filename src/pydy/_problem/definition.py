@@ -382,6 +382,10 @@ def sort_out(
                     f"Its `{t}` has other assumptions than `dynamicsymbols._t`, so that SymPy "
                     "takes it for another symbol. Make functions of time with `dynamicsymbols`."
                     if other
+                    else f"A delay of `{function.func}` needs its past, which no state holds: "
+                    "approximate it by a state with an equation of its own "
+                    "(docs/howto/inputs.md#delays)."
+                    if any(function.func == state.func for state in states)
                     else "Make it a function of time and give its values as a specified, or write "
                     "it with elementary functions."
                 )

@@ -35,7 +35,8 @@ if TYPE_CHECKING:
 
 def parameter_of(definition: Definition, mapping: object) -> tuple[AnySymbol, np.ndarray]:
     """Return the parameter and the values of a mapping with one entry."""
-    mapping = check_mapping("over", mapping)
+    remedy = "Give one name and its values together: `over={'speed': [0.0, 1.0, 2.0]}`."
+    mapping = check_mapping("over", mapping, remedy, always=True)
     if len(mapping) != 1:
         raise ValueError(
             f"`over` must give the values of one state, constant or specified, got {len(mapping)}."
@@ -253,13 +254,13 @@ def eigenvalues(
     """Return eigenvalues along a parameter of a Problem; see `System.eigenvalues`."""
     warn_of_missing_derivatives(problem)
     definition = problem.definition
+    parameter, values = parameter_of(definition, over)
     given_at, arguments = at, CallArguments(problem)
     if at is not None:
         at = real_array(arguments.states(at, "at"), "`at`")
         t = np.zeros(len(at)) if at.ndim == 2 else None  # an equilibrium depends on no time
         at, _, single = arguments.samples(at, t, "at")
         at = at[0] if single else at
-    parameter, values = parameter_of(definition, over)
     check_swept(problem, parameter, values)
     if at is not None:
         unknowns = definition.states if unknowns is None else unknowns
