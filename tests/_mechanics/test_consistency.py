@@ -306,3 +306,27 @@ def test_what_moves_along_a_rolling_cart_is_left_alone():
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         System(Definition(fixed, [s], [u, w], bodies=bodies, kinematic_equations=right))
+
+
+def test_a_sign_beside_a_constraint_is_told():
+    """A yo-yo falls by y, and its string unwinds by r theta."""
+    y, theta, v, omega = me.dynamicsymbols("y theta v omega")
+    m, r, g = sm.symbols("m r g")
+    N, O = me.ReferenceFrame("N"), me.Point("O")
+    O.set_vel(N, 0)
+    A = N.orientnew("A", "Axis", (theta, N.z))
+    A.set_ang_vel(N, omega * N.z)
+    G = O.locatenew("G", -y * N.y)
+    disc = me.RigidBody("disc", G, A, m, (me.inertia(A, 0, 0, m * r**2), G))
+    for velocity, told in ((-v, False), (v, True)):
+        G.set_vel(N, velocity * N.y)
+        rates = [y.diff() - v, theta.diff() - omega]
+        kane = me.KanesMethod(
+            N, [y, theta], [v], rates, u_dependent=[omega], velocity_constraints=[v - r * omega]
+        )
+        kane.kanes_equations([disc], [(G, -m * g * N.y)])
+        if told:
+            with pytest.warns(PyDyUserWarning, match="the velocity of G would not be what was set"):
+                System(kane)
+        else:
+            System(kane)

@@ -144,9 +144,7 @@ def warn_of_kinematics(equations: Equations) -> None:
         # A quaternion has three rows: its columns have unit length. Nine cosines have more.
         by_cosines = any(len(rows) > 3 for rows in turns)
         frames = {} if by_cosines else dict(_frames(k))
-        # Velocities in a constrained mechanism are compared in `pydy._mechanics.set_velocities`.
-        points = () if by_cosines or rows.velocity else _points(k)
-        every = [*frames.values(), *points]
+        every = [] if by_cosines else [*frames.values(), *_points(k)]
         constraints = k.read.all((*rows.holonomic, *rows.velocity))
     except (NotImplementedError, TypeError, ValueError):
         if equations.formed is not None:

@@ -96,8 +96,8 @@ def warn_of_angular_velocities(
         if bodies:
             is_rotor = all(_is_rotor(k, item, in_frame) for item in bodies)
             (rotors if is_rotor else wrong).append(frame)
-    if rotors and not wrong and _along_turning_axes(k, zero_rows):
-        wrong = rotors
+    if rotors and _along_turning_axes(k, zero_rows):
+        wrong += rotors
     if wrong:
         warn_user(
             f"The angular velocities that were set for {describe(wrong)} are not those of their "
