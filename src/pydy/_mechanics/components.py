@@ -78,8 +78,8 @@ def numbers_of(
     """Return values of nodes at random states, one row for each, at which `zero_rows` vanish.
 
     All inputs of these rows may change: quaternions get unit length, random lengths close a loop.
-    Inputs among `zeros` that do not occur in them are zero. Those among `common` are equal in all
-    states before.
+    Inputs among `zeros` that do not occur in them are zero. Those among `common` start
+    equal in all states; they differ at the end only if `zero_rows` contain them.
     """
     inputs = [*inputs_of(graph, [*flat, *zero_rows])]
     x = np.random.default_rng(0).uniform(0.5, 1.5, (_STATES, len(inputs)))

@@ -2,7 +2,8 @@
 
 The equations contain them as they were set, by `a2pt_theory` with another frame for example, or
 from the contact point of a wheel, or before a velocity was changed. Not checked are mechanisms with
-constraints, which may have been used to shorten them.
+velocity constraints, which may have been used to shorten accelerations, and Lagrangians, whose
+derivatives contain none.
 """
 
 from __future__ import annotations
@@ -33,8 +34,9 @@ def warn_of_set_accelerations(
 ) -> None:
     """Warn of accelerations of mass centres and frames if the equations depend on the difference.
 
-    Those of the mass centres of `moved`, and of the frames of `turned`, were set. Constraint forces
-    do the rest of it. There must be no velocity constraints.
+    Those of the mass centres of `moved`, and of the frames of `turned`, were set. The
+    equations contain inertia along partial velocities alone: differences across these do no harm.
+    There must be no velocity constraints.
     """
     try:
         k = moving(body, in_bodies=False, further_points=[item.masscenter for item in moved])
@@ -69,7 +71,10 @@ def warn_of_set_accelerations(
 
 
 def _forces(k: Kinematics, velocity: Vec, as_set: Vec, derived: Vec) -> list[int]:
-    """Return nodes of the difference along each partial velocity."""
+    """Return the difference of two inertia forces, or torques, along each partial velocity.
+
+    For a force, the accelerations stand for it: the factor, the mass, is left out.
+    """
     difference = [k.graph.sub(a, b) for a, b in zip(as_set, derived, strict=True)]
     partial = jacobian(k.graph, velocity, k.speeds).dense()
     return [dot(k.graph, column, difference) for column in zip(*partial, strict=True)]
