@@ -12,7 +12,7 @@ u = me.dynamicsymbols("u1:4")
 m, g, r, length = sm.symbols("m g r length")
 
 
-def double_pendulum(accelerate):
+def double_pendulum(accelerate, moment=1):
     """`accelerate` sets accelerations: of (A, B), the links' frames, and (O, P, Q), their ends."""
     N, O = me.ReferenceFrame("N"), me.Point("O")
     O.set_vel(N, 0)
@@ -26,7 +26,7 @@ def double_pendulum(accelerate):
     Q.v2pt_theory(P, N, B)
     accelerate(N, (A, B), (O, P, Q))
     kane = me.KanesMethod(N, q[:2], u[:2], [a.diff() - b for a, b in zip(q, u, strict=True)][:2])
-    link = me.RigidBody("link", Q, B, m, (me.inertia(B, 0, 0, 1), Q))
+    link = me.RigidBody("link", Q, B, m, (me.inertia(B, 0, 0, moment), Q))
     kane.kanes_equations([me.Particle("P", P, m), link], [(Q, -m * g * N.y)])
     return System(kane)
 
@@ -90,6 +90,23 @@ def test_accelerations_in_a_closed_loop_are_checked(right):
     else:
         with pytest.warns(PyDyUserWarning, match="accelerations that were set for Q are not"):
             System(kane)
+
+
+def test_accelerations_across_all_partial_velocities_are_not_told():
+    """The link's ends move in a plane; constraint forces hold them there."""
+
+    def accelerate(N, frames, points):
+        acceleration = points[1].vel(N).dt(N)
+        points[1].set_acc(N, acceleration + u[0] * u[1] * N.z)
+
+    double_pendulum(accelerate)
+
+
+def test_an_angular_acceleration_without_inertia_is_not_told():
+    def accelerate(N, frames, points):
+        frames[1].set_ang_acc(N, (u[1].diff() + u[0] * u[1]) * N.z)
+
+    double_pendulum(accelerate, moment=0)
 
 
 def test_a_lagrangian_contains_no_accelerations():

@@ -46,6 +46,17 @@ def test_components_that_change_are_the_users():
     System(gimbals("A", (q[1] ** 2 + a, b, c)))
 
 
+def test_axes_that_a_prescribed_turn_alone_reveals_are_told():
+    """The energy has Ω² (b sin² q1 + c cos² q1) / 2 if b and c turn with B, else c Ω² / 2."""
+    N, O = me.ReferenceFrame("N"), me.Point("O")
+    O.set_vel(N, 0)
+    A = N.orientnew("A", "Axis", (sm.Symbol("Omega") * me.dynamicsymbols._t, N.z))
+    B = A.orientnew("B", "Axis", (q[0], A.x))
+    plate = me.RigidBody("plate", O, B, 1, (me.inertia(A, a, b, c), O))
+    with pytest.warns(PyDyUserWarning, match="axes of A about O"):
+        System(Definition(N, q[:1], u[:1], bodies=[plate]))
+
+
 def test_a_point_of_another_body_is_told():
     """The central inertia is that about C minus the mass times the squares of distances to it."""
     N, O = me.ReferenceFrame("N"), me.Point("O")

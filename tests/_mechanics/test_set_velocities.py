@@ -105,6 +105,8 @@ def test_a_body_may_turn_about_its_axis_of_symmetry_without_its_frame():
     disc((1, 2, 1))
     with pytest.warns(PyDyUserWarning, match="for L are not those of their orientations"):
         disc((1, 2, 3))
+    with pytest.warns(PyDyUserWarning, match="for L are not those of their orientations"):
+        disc((1, 2, 1, 0.5))  # the product of inertia turns with the disc
 
 
 def wheel(turning):

@@ -82,7 +82,7 @@ def numbers_of(
 
     All inputs of these rows may change, except those `kept`: quaternions get unit length, random
     lengths close a loop. Inputs among `zeros` that do not occur in them are zero. Those among
-    `common` are equal in all states before.
+    `common` start equal in all states; they differ at the end only if `zero_rows` contain them.
     """
     inputs = [*inputs_of(graph, [*flat, *zero_rows])]
     x = np.random.default_rng(seed).uniform(0.5, 1.5, (_STATES, len(inputs)))

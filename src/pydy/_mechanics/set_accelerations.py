@@ -3,7 +3,8 @@
 The equations contain them as they were set, by `a2pt_theory` with another frame for example, or
 from the contact point of a wheel, or before a velocity was changed. With constraints, positions and
 velocities in them may have been shortened, so that they are compared at assembled states; u' may
-not be, since the equations add what the constraints say of it.
+not be, since the equations add what the constraints say of it. A Lagrangian's derivatives
+contain no acceleration.
 """
 
 from __future__ import annotations
@@ -34,8 +35,8 @@ def warn_of_set_accelerations(
 ) -> None:
     """Warn of accelerations of mass centres and frames if the equations depend on the difference.
 
-    Those of the mass centres of `moved`, and of the frames of `turned`, were set. Constraint forces
-    do the rest of it.
+    Those of the mass centres of `moved`, and of the frames of `turned`, were set. The equations
+    contain inertia along partial velocities alone: differences across these do no harm.
     """
     try:
         k = moving(body, in_bodies=False, further_points=[item.masscenter for item in moved])
@@ -71,7 +72,10 @@ def warn_of_set_accelerations(
 
 
 def _forces(k: Kinematics, velocity: Vec, as_set: Vec, derived: Vec) -> list[int]:
-    """Return nodes of the difference along each partial velocity."""
+    """Return the difference of two inertia forces, or torques, along each partial velocity.
+
+    For a force, the accelerations stand for it: the factor, the mass, is left out.
+    """
     difference = [k.graph.sub(a, b) for a, b in zip(as_set, derived, strict=True)]
     partial = jacobian(k.graph, velocity, k.speeds).dense()
     return [dot(k.graph, column, difference) for column in zip(*partial, strict=True)]
