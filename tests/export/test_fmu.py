@@ -1032,3 +1032,43 @@ def test_what_is_not_varied_adds_nothing_to_a_directional_derivative(tmp_path, h
         assert instance.getAdjointDerivative(rates, states, [0.0, 1.0], 2) == [0.0, 0.0]
     instance.terminate()
     instance.freeInstance()
+
+
+@pytest.mark.parametrize("fmi", VERSIONS)
+def test_a_run_goes_on_from_a_saved_state_as_if_nothing_had_happened(units, fmi):
+    """Before, between and after bounces, in the same instance and by bytes in another one."""
+    description = fmpy.read_model_description(units["ball", fmi])
+    folder, step = fmpy.extract(units["ball", fmi]), 0.037
+    states = [v.valueReference for v in description.modelVariables if v.name in ("y", "v")]
+
+    def begun():
+        instance = fmpy.instantiate_fmu(folder, description, "CoSimulation")
+        if fmi == "2.0":
+            instance.setupExperiment(startTime=0.0)
+        instance.enterInitializationMode()
+        instance.exitInitializationMode()
+        return instance
+
+    def rows(instance, first, last):
+        result = []
+        for k in range(first, last):
+            instance.doStep(k * step, step)
+            result.append((instance.getReal if fmi == "2.0" else instance.getFloat64)(states))
+        return result
+
+    whole = rows(begun(), 0, 54)
+    assert sum(a[1] < 0 < b[1] for a, b in itertools.pairwise(whole)) >= 2  # bounces
+    for middle in (0, 12, 13, 40):
+        instance, other = begun(), begun()
+        before = rows(instance, 0, middle)
+        saved = instance.getFMUState()
+        parts = [rows(instance, middle, 54)]
+        instance.setFMUState(saved)
+        parts.append(rows(instance, middle, 54))
+        rows(other, 0, 5)
+        copied = other.deserializeFMUState(instance.serializeFMUState(saved))
+        other.setFMUState(copied)
+        parts.append(rows(other, middle, 54))
+        assert [before + part for part in parts] == [whole] * 3
+        instance.freeFMUState(saved)
+        other.freeFMUState(copied)
