@@ -40,6 +40,7 @@ from zoo.exported_models import (
     kicked_at_an_input,
     kicked_to,
     pendulum,
+    rope,
     spring_of,
 )
 
@@ -951,3 +952,123 @@ def test_an_input_that_leaps_has_no_rate(on_a_floor, fmi, when):
     importer.happens()
     assert importer.get("u") == pytest.approx(-0.5 * speed - 9.81 * (end - moment))
     importer.close()
+
+
+# -- Where a motion begins -------------------------------------------------------------------------
+
+
+@pytest.fixture(scope="module")
+def hanging(tmp_path_factory):
+    """Units of a rope whose length follows the time, by version."""
+    folder = tmp_path_factory.mktemp("rope")
+    return {fmi: str(rope().export(folder / f"rope{fmi[0]}.fmu", fmi=fmi).path) for fmi in VERSIONS}
+
+
+def lowered(unit, kind, start=0.0, **values):
+    """Return the times and heights of the ball, and what the unit logs."""
+    told = []
+    result = fmpy.simulate_fmu(
+        unit, fmi_type=kind, start_time=start, stop_time=start + 0.5, output_interval=0.1,
+        output=["y"], relative_tolerance=1e-10, start_values=values, record_events=False,
+        logger=lambda *parts: told.append((parts[-3], parts[-1].decode())),
+    )  # fmt: skip
+    return result["time"], result["y"], told
+
+
+@pytest.mark.parametrize("fmi", VERSIONS)
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize(("start", "b"), [(0.5, 0.2), (0.0, 0.5), (0.5, 0.3)])
+def test_start_values_off_the_constraints_are_told(hanging, fmi, kind, start, b):
+    """The start values of the unit fit the rope's length at t = 0, with b = 0.2."""
+    length, rate = 1.0 + b * np.sin(3.0 * start), 3.0 * b * np.cos(3.0 * start)
+    residuals = [1.0 - length**2, 2.0 * 0.2 * 3.0 - 2.0 * length * rate]
+    _, y, told = lowered(hanging[fmi], kind, start, b=b)
+    ((status, text),) = told
+    assert status == 1  # a warning: the importer may go on
+    assert text.startswith("the start values do not satisfy the constraints")
+    found = re.search(
+        rf"at t = {start:.9g} is (\S+) in the (holonomic|velocity) constraint 0", text
+    )
+    assert float(found[1]) == pytest.approx(residuals[found[2] == "velocity"], rel=1e-2)
+    assert "Set start values of the states" in text
+    # Without the warning, a length that is off would be told by nothing.
+    assert abs(y[-1] + 1.0 + b * np.sin(3.0 * (start + 0.5))) > 0.01
+
+
+@pytest.mark.parametrize("fmi", VERSIONS)
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize(("start", "b"), [(0.0, 0.2), (0.5, 0.2), (0.5, 0.3)])
+def test_start_values_on_the_constraints_are_not(hanging, fmi, kind, start, b):
+    length, rate = 1.0 + b * np.sin(3.0 * start), 3.0 * b * np.cos(3.0 * start)
+    typed = {"b": b, "y": float(f"{-length:.6g}"), "vy": float(f"{-rate:.6g}")}  # to six digits
+    times, y, told = lowered(hanging[fmi], kind, start, **(typed if start else {}))
+    assert told == []
+    assert y == pytest.approx(-1.0 - b * np.sin(3.0 * times), abs=1e-5)
+
+
+@pytest.mark.parametrize("fmi", VERSIONS)
+def test_what_is_not_varied_adds_nothing_to_a_directional_derivative(tmp_path, hasty, fmi):
+    """The derivative of sqrt(x) at 0 is infinite; times a seed of zero it was NaN."""
+    x, y, vx, vy = me.dynamicsymbols("x y vx vy")
+    N, O = inertial_frame()
+    P = O.locatenew("P", x * N.x + y * N.y)
+    P.set_vel(N, vx * N.x + vy * N.y)
+    force = (P, -sm.sqrt(x) * N.x - 3 * y * N.x)
+    system = System(
+        Definition(N, [x, y], [vx, vy], bodies=[me.Particle("ball", P, 2)], loads=[force])
+    )
+    unit = str(system.export(tmp_path / "root.fmu", fmi=fmi).path)
+    description = fmpy.read_model_description(unit)
+    instance = fmpy.instantiate_fmu(fmpy.extract(unit), description, "ModelExchange")
+    of = {v.name: v.valueReference for v in description.modelVariables}
+    if fmi == "2.0":
+        instance.setupExperiment(startTime=0.0)
+    instance.enterInitializationMode()
+    instance.exitInitializationMode()
+    rates, states = [of["der(vx)"], of["der(vy)"]], [of["x"], of["y"]]
+    assert instance.getDirectionalDerivative(rates, states, [0.0, 2.0]) == [-3.0, 0.0]
+    assert instance.getDirectionalDerivative(rates, states, [1.0, 2.0]) == [-np.inf, 0.0]
+    if fmi == "3.0":
+        assert instance.getAdjointDerivative(rates, states, [0.0, 1.0], 2) == [0.0, 0.0]
+    instance.terminate()
+    instance.freeInstance()
+
+
+@pytest.mark.parametrize("fmi", VERSIONS)
+def test_a_run_goes_on_from_a_saved_state_as_if_nothing_had_happened(units, fmi):
+    """Before, between and after bounces, in the same instance and by bytes in another one."""
+    description = fmpy.read_model_description(units["ball", fmi])
+    folder, step = fmpy.extract(units["ball", fmi]), 0.037
+    states = [v.valueReference for v in description.modelVariables if v.name in ("y", "v")]
+
+    def begun():
+        instance = fmpy.instantiate_fmu(folder, description, "CoSimulation")
+        if fmi == "2.0":
+            instance.setupExperiment(startTime=0.0)
+        instance.enterInitializationMode()
+        instance.exitInitializationMode()
+        return instance
+
+    def rows(instance, first, last):
+        result = []
+        for k in range(first, last):
+            instance.doStep(k * step, step)
+            result.append((instance.getReal if fmi == "2.0" else instance.getFloat64)(states))
+        return result
+
+    whole = rows(begun(), 0, 54)
+    assert sum(a[1] < 0 < b[1] for a, b in itertools.pairwise(whole)) >= 2  # bounces
+    for middle in (0, 12, 13, 40):
+        instance, other = begun(), begun()
+        before = rows(instance, 0, middle)
+        saved = instance.getFMUState()
+        parts = [rows(instance, middle, 54)]
+        instance.setFMUState(saved)
+        parts.append(rows(instance, middle, 54))
+        rows(other, 0, 5)
+        copied = other.deserializeFMUState(instance.serializeFMUState(saved))
+        other.setFMUState(copied)
+        parts.append(rows(other, middle, 54))
+        assert [before + part for part in parts] == [whole] * 3
+        instance.freeFMUState(saved)
+        other.freeFMUState(copied)

@@ -35,6 +35,7 @@ from zoo.exported_models import (
     kicked_at_an_input,
     kicked_to,
     pendulum,
+    rope,
 )
 
 
@@ -234,3 +235,28 @@ def test_an_event_that_a_reset_makes_nan_ends_the_motion(tmp_path):
     assert [event["time"] for event in run["events"]] == pytest.approx(
         [(0.5 + np.sqrt(0.5**2 + 2 * 9.81 * 0.9)) / 9.81]
     )
+
+
+@pytest.mark.skipif(shutil.which("node") is None, reason="needs Node.js")
+def test_a_start_off_the_constraints_is_told(tmp_path):
+    """The rope is 1 + 0.2 sin(3 t) long; the initial conditions of the module fit it at t = 0."""
+    rope().export(tmp_path / "rope.js")
+    (tmp_path / "package.json").write_text('{"type": "module"}')
+    (tmp_path / "run.js").write_text(
+        'import { simulate } from "./rope.js";\n'
+        "const told = [];\n"
+        "console.warn = (text) => told.push(text);\n"
+        "const length = 1 + 0.2 * Math.sin(1.5), vy = -0.6 * Math.cos(1.5);\n"
+        "const initial = { y: -length, vy }, late = [0.5, 1];\n"
+        "for (const options of [{ times: [0, 1] }, { times: late, initial }, { times: late },\n"
+        "  { times: [0, 0.5], constants: { b: 0.3 } }]) {\n"
+        "  simulate(options);\n"
+        "  told.push(told.length);\n"
+        "}\n"
+        "console.log(JSON.stringify(told));\n"
+    )
+    run = subprocess.run(["node", "run.js"], cwd=tmp_path, capture_output=True, text=True)
+    good, consistent, early, _, changed, _ = json.loads(run.stdout)
+    assert (good, consistent) == (0, 1)  # nothing but the counts
+    assert "at t = 0.5 is 1.10 in the velocity constraint 0" in early
+    assert "at t = 0 is -0.600 in the velocity constraint 0" in changed

@@ -122,3 +122,30 @@ def pulled_by_error_functions():
     masses = [me.Particle(f"mass {k}", P, 1) for k, P in enumerate(points)]
     loads = [(points[0], sm.erf(x) * N.x), (points[1], sm.erfc(y) * N.x)]
     return System(Definition(N, [x, y], bodies=masses, loads=loads))
+
+
+def rope(start=0.0):
+    """A ball that hangs at rest below a winch: its rope is 1 + b sin(w t) long."""
+    x, y, vx, vy = me.dynamicsymbols("x y vx vy")
+    t, (m, g, b, w) = me.dynamicsymbols._t, sm.symbols("m g b w")
+    N, O = me.ReferenceFrame("N"), me.Point("O")
+    O.set_vel(N, 0)
+    P = O.locatenew("P", x * N.x + y * N.y)
+    P.set_vel(N, vx * N.x + vy * N.y)
+    length = 1 + b * sm.sin(w * t)
+    definition = Definition(
+        N,
+        [x, y],
+        [vx, vy],
+        bodies=[me.Particle("ball", P, m)],
+        loads=[(P, -m * g * N.y)],
+        holonomic_constraints=[x**2 + y**2 - length**2],
+    )
+    system = System(
+        definition,
+        constants={m: 1.0, g: 9.81, b: 0.2, w: 3.0},
+        initial_conditions={y: -1.0},
+        times=start + TIMES,
+    )
+    system.set_dependent_initial_conditions([y, vy])
+    return system

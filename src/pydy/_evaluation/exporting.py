@@ -22,9 +22,10 @@ from pydy._assembly import (
 from pydy._checks import choice, describe
 from pydy._errors import warn_user
 from pydy._graph import TimeSwitches, derivative_program, lower
-from pydy._judges import check_orientations, warn_of_missing_derivatives
+from pydy._judges import check_orientations, start_program, warn_of_missing_derivatives
 from pydy._mechanics import find_symbols
 from pydy._motion import (
+    ConstraintNames,
     check_events,
     event_bounds_program,
     event_input_rates_program,
@@ -270,6 +271,15 @@ def exported_model(
     switches = _switch_times(problem, r, (start, stop), max_step)
     builders = _builders(problem, columns, checked, bool(projection))
     check_orientations(problem.at(np.array([start]), problem.x[None]))
+    names_of_constraints: tuple[str, ...] = ()
+    if max_step is not None and not projection:
+        names_of_constraints = tuple(ConstraintNames(definition.equations))
+    if names_of_constraints:
+        start_residuals = partial(
+            stored_program, problem.code.assembly, "start residuals",
+            lambda: start_program(problem.code.assembly),
+        )  # fmt: skip
+        builders["start_residuals"] = lambda: with_inputs(start_residuals(), columns)
     if switches is not None:
         builders["switches"] = lambda: with_inputs(switches, columns)
     parts = [
@@ -302,6 +312,7 @@ def exported_model(
         switches=0 if switches is None else switches.signature.num_outputs,
         constraints=projection or {},
         unknowns=definition.equations.constraints.residuals.columns,
+        constraint_names=names_of_constraints,
     )
 
 

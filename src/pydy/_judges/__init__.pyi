@@ -11,6 +11,7 @@ from .constraint_drift import (
     drift_programs as drift_programs,
     first_violation as first_violation,
     rates as rates,
+    start_program as start_program,
     warn_of_redundant as warn_of_redundant,
 )
 from .diagnostics import (

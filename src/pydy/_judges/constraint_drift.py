@@ -37,7 +37,7 @@ from pydy._mechanics import Equations, find_symbols
 from pydy._motion import ConstraintNames, Motion, SolveIvp, constraint_names, is_odeint
 from pydy._problem import TOGETHER, EnergyModel, Problem, StateSamples
 from pydy._program import Program
-from pydy._rank import DIGITS, OF_FEW, or_one, rank
+from pydy._rank import DIGITS, OF_FEW, ROUNDED, or_one, rank
 from pydy.codegen import SpecifiedsPlan
 from pydy.solvers import (
     ConstraintResiduals,
@@ -446,6 +446,33 @@ def bounded(assembly: Assembly) -> dict[str, list[int]]:
     blocks = sized(assembly, inherited=True)
     holonomic, _ = constraints_with_redundant(assembly)
     return {**blocks, **measured(assembly, blocks["rows"], len(holonomic))}
+
+
+def start_program(assembly: Assembly) -> Program:
+    """Return the Program with which exported code checks the state that a motion begins with.
+
+    The residuals of all constraints, then the largest that numbers typed to six digits explain,
+    then the largest that rounding of the states leaves: that is not finite where slopes are not.
+    """
+    own = assembly.fork()
+    graph, n = own.graph, own.sizes[0]
+    blocks = bounded(own)
+    scales = []
+    for k, slope in enumerate(blocks["per_unit"]):
+        scale = graph.call("abs", graph.input("x", k))
+        if slope != graph.zero:
+            scale = graph.call("max", scale, graph.div(graph.one, slope))
+        scales.append(scale)
+    terms = [graph.mul(graph.call("abs", a), scales[k % n]) for k, a in enumerate(blocks["slopes"])]
+    parts = {
+        "rows": blocks["rows"],
+        "typed": [graph.sum([(size, DIGITS)]) for size in blocks["sizes"]],
+        "rounded": [
+            graph.sum([(term, ROUNDED) for term in terms[k : k + n]])
+            for k in range(0, len(terms), n)
+        ],
+    }
+    return lower_nodes(own, parts)
 
 
 def _sizes(graph: Graph, rows: list[int], enforced: int, inherited: bool) -> list[int]:

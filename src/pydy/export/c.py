@@ -26,6 +26,7 @@ _DESCRIPTIONS = {
     "event_bounds": "what rounding may do to the events' expressions, in units of 2^-52",
     "event_input_rates": "what rates of the inputs, behind these in r, add to the events' rates",
     "resets": "for each event the states after it, event by event",
+    "start_residuals": "the constraints' residuals, then what typed digits and rounding allow",
     "switches": "the times, in any order, at which rates switch whatever the states are",
 }
 
@@ -56,6 +57,8 @@ def functions_of(model: Model) -> tuple[str, ...]:
         names += ["events", "event_rates", "event_bounds"]
         names += [name for name in ("event_input_rates",) if name in model.builders]
         names += ["resets"]
+    if model.constraint_names:
+        names.append("start_residuals")
     return (*names, "switches") if model.switches else tuple(names)
 
 
@@ -85,7 +88,9 @@ def _header(model: Model, head: Sequence[str]) -> Iterator[str]:
     yield f"extern const {name}_constants {name}_defaults;"
     yield f"extern const double {name}_initial[]; /* states at the start */"
     yield f"extern const double {name}_inputs[]; /* inputs at the start */"
-    for kind in (*_KINDS, "event") if model.events else _KINDS:
+    kinds = [*_KINDS, *(["event"] if model.events else [])]
+    kinds += ["constraint"] if model.constraint_names else []
+    for kind in kinds:
         yield f"extern const char *const {name}_{kind}_names[];"
     yield ""
     yield "/* Compute what all calls with the same constants share: an array of so many numbers. */"
@@ -122,6 +127,8 @@ def _source(model: Model) -> Iterator[str]:
         yield _strings(f"{name}_{kind}_names", [v.name for v in getattr(model, f"{kind}s")])
     if model.events:
         yield _strings(f"{name}_event_names", model.events.names)
+    if model.constraint_names:
+        yield _strings(f"{name}_constraint_names", model.constraint_names)
     yield f"\nvoid {name}_prepare(const {name}_constants *constants, double *prepared)\n{{"
     fields = ", ".join(f"constants->{v.identifier}" for v in model.constants) or "0.0"
     yield f"    const double p[] = {{{fields}}};"

@@ -104,6 +104,7 @@ def _config(model: Model, fmi: str) -> Iterator[str]:
         "NP": len(model.constants),
         "NE": len(model.events),
         "NS": model.switches,
+        "NC": len(model.constraint_names),
     }
     arrays = method_arrays(_METHOD, len(model.states))
     sizes["NVECTORS"], sizes["NPARTS"] = len(arrays.nodes), arrays.depth

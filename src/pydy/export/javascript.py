@@ -205,6 +205,8 @@ def javascript_object(model: Model, extra: Sequence[str] = ()) -> str:
         names.append("projection")
     if model.switches:
         names.append("switches")
+    if model.constraint_names:
+        names.append("start_residuals")
     programs = {name: model.program(name) for name in names}
     code = "\n".join(javascript_of(program, name) for name, program in programs.items())
     buffers = "\n".join(
@@ -240,6 +242,12 @@ def javascript_object(model: Model, extra: Sequence[str] = ()) -> str:
             f"(out) => switches(0, [], r, switches_c, out), switchCount: {model.switches}"
             if model.switches
             else "null"
+        ),
+        "CONSTRAINT_NAMES": literal(list(model.constraint_names)),
+        "START_RESIDUALS": (
+            "start_residuals(t, x, r, start_residuals_c, values)"
+            if model.constraint_names
+            else "false"
         ),
         "EXTRAS": extras,
     }

@@ -106,6 +106,9 @@ class Model:
         Sizes for the projection, and what follows; empty without projection.
     unknowns : sequence of int
         The places of states that residuals give.
+    constraint_names : sequence of str
+        The c constraints that code with a solver checks at its start: 'start_residuals' (3 c,) are
+        their residuals and what typed digits and rounding allow.
     switches : int
         The number of times at which the rates switch whatever the states are, which the Program
         'switches' computes from the constants and inputs.
@@ -125,6 +128,7 @@ class Model:
     stop: float = 1.0
     constraints: Mapping[str, object] = field(default_factory=dict)
     unknowns: Sequence[int] = ()
+    constraint_names: Sequence[str] = ()
     switches: int = 0
     told: Callable[..., None] = _ignore_progress
 

@@ -100,6 +100,31 @@ static Status ended(Instance *self)
     return logged(self, ERROR, message);
 }
 
+/* Warn where the motion begins off the constraints, onto which nothing brings it back. */
+static Status checked_start(Instance *self)
+{
+    Model *m = &self->model;
+    double residual;
+    int singular;
+    const char *constraint = "";
+    char message[768];
+    const int worst = violated_constraint(m, &residual, &singular);
+    if (singular)
+        return told(self, 1, MASS_IS_SINGULAR);
+    if (worst < 0)
+        return OK;
+#if NC > 0
+    constraint = MODEL(constraint_names)[worst];
+#endif
+    snprintf(message, sizeof message,
+        "the start values do not satisfy the constraints, and nothing will bring the motion back onto them: the"
+        " residual at t = %.9g is %.3g in the %s. Set start values of the states that satisfy them at this time"
+        " with these constants, or export the model with `times` that begin there, with these constants and after"
+        " set_dependent_initial_conditions()",
+        m->t, residual, constraint);
+    return logged(self, WARNING, message);
+}
+
 /* -- instances ------------------------------------------------------------------------------------ */
 
 EXPORT const char *NAME(GetVersion)(void) { return FMI == 3 ? "3.0" : "2.0"; }
@@ -195,7 +220,9 @@ STATUS NAME(ExitInitializationMode)(void *instance)
     SELF;
     take_sides(m);
     remember_inputs(m);
-    return told(self, update_rates(m), MASS_IS_SINGULAR);
+    if (update_rates(m))
+        return told(self, 1, MASS_IS_SINGULAR);
+    return checked_start(self);
 }
 
 TRIVIAL(EnterEventMode, void *instance)

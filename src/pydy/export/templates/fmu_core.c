@@ -179,6 +179,32 @@ static int update_outputs(Model *m)
     return failed;
 }
 
+/* Return the constraint that the state violates most, by how often its residual exceeds what typed digits and
+   rounding allow, or -1; the rule of `violations` in pydy/_judges/constraint_drift.py. */
+static int violated_constraint(Model *m, double *residual, int *singular)
+{
+    int worst = -1;
+    *residual = 0.0, *singular = 0;
+#if NC > 0
+    double values[3 * NC], share = 1.0;
+    prepare(m);
+    *singular = MODEL(start_residuals)(m->t, m->x, m->u, m->prepared, values);
+    for (int k = 0; k < NC && !*singular; k++) {
+        const double rounded = values[2 * NC + k];
+        const double allowed = values[NC + k] + (isfinite(rounded) ? rounded : 0.0);
+        const double size = fabs(values[k]);
+        if (size <= allowed)
+            continue;
+        const double times = isnan(size) || allowed == 0.0 ? INFINITY : size / allowed;
+        if (worst < 0 || times > share)
+            worst = k, share = times, *residual = values[k];
+    }
+#else
+    (void)m;
+#endif
+    return worst;
+}
+
 static int event_values(Model *m, double t, const double *x, double *out)
 {
 #if NE > 0
@@ -270,6 +296,7 @@ static int derivative(Model *m, const unsigned *unknowns, size_t rows, const uns
     for (size_t i = 0; i < rows; i++)
         for (size_t j = 0; j < columns; j++) {
             const int row = row_of(unknowns[i]), column = column_of(knowns[j]);
+            const double along = seed[transposed ? i : j];
             double value;
             if (column < 0)
                 return 1;
@@ -279,10 +306,8 @@ static int derivative(Model *m, const unsigned *unknowns, size_t rows, const uns
                 value = unknowns[i] == knowns[j] ? 1.0 : 0.0;
             else
                 return 1;
-            if (transposed)
-                sensitivity[j] += value * seed[i];
-            else
-                sensitivity[i] += value * seed[j];
+            if (along != 0.0) /* a derivative may be infinite, and 0 * infinity is NaN */
+                sensitivity[transposed ? j : i] += value * along;
         }
     return 0;
 }

@@ -44,6 +44,27 @@ function bind(given) {
 }
 bind();
 
+/**
+ * Describe the constraint that a start violates most, by how often its residual exceeds what typed digits
+ * and rounding allow, or return "": the rule of `violations` in pydy/_judges/constraint_drift.py.
+ */
+const constraintNames = /*CONSTRAINT_NAMES*/;
+function violation(t, x, r) {
+  const count = constraintNames.length, values = new Float64Array(3 * count);
+  let text = "", largest = 1;
+  if (/*START_RESIDUALS*/) return "";
+  for (let k = 0; k < count; k++) {
+    const rounded = values[2 * count + k], size = Math.abs(values[k]);
+    const allowed = values[count + k] + (Number.isFinite(rounded) ? rounded : 0);
+    if (size <= allowed) continue;
+    const share = Number.isNaN(size) || allowed === 0 ? Infinity : size / allowed;
+    if (text && !(share > largest)) continue;
+    largest = share;
+    text = `the residual at t = ${t} is ${values[k].toPrecision(3)} in the ${constraintNames[k]}`;
+  }
+  return text;
+}
+
 const self = {
   ...info,
   bind,
@@ -82,6 +103,8 @@ const self = {
     bind(constants);
     const x0 = ordered(initial, info.states, "initial"), r = ordered(inputs, info.inputs, "inputs");
     const run = self.integration(times, x0, r, (k, t, x) => { states[k] = Float64Array.from(x); }, options);
+    const off = violation(run.t, x0, r); // before the run moves them
+    if (off) console.warn(`The initial conditions do not satisfy the constraints, and nothing will bring the motion back onto them: ${off}. Give \`initial\` values that satisfy them at times[0] with these constants, or export the model with \`times\` that begin there, with these constants and after set_dependent_initial_conditions()`);
     run.advance();
     for (let k = 0; k < times.length; k++) states[k] ??= new Float64Array(n).fill(NaN);
     const { status, steps, rejected, evaluations } = run;
