@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
+from scipy.integrate import solve_ivp
 
 from pydy import System
 from pydy.contact import Contacts, Roll, Stick, Unilateral
@@ -193,6 +194,75 @@ def test_backward_is_forward(case):
         wanted = np.array([forward.sensitivity[name, one][-1] for one in wrt])
         assert found.value == pytest.approx(forward[name][-1], abs=1e-10)
         assert found.values == pytest.approx(wanted, abs=1e-8 * max(1.0, abs(wanted).max()))
+
+
+def ball_on_a_turntable():
+    """A ball that slips along a curve on a turntable until it rolls, and the table's rate."""
+    x, y, z, a, b, c, vx, vy, vz, w1, w2, w3 = me.dynamicsymbols(
+        "x y z a b c v_x v_y v_z w_1 w_2 w_3"
+    )
+    rate = sm.Symbol("Omega")
+    B, T = me.ReferenceFrame("B"), me.ReferenceFrame("T")
+    T.orient_axis(N, N.z, rate * me.dynamicsymbols._t)
+    C = O.locatenew("C", x * N.x + y * N.y + z * N.z)
+    C.set_vel(N, vx * N.x + vy * N.y + vz * N.z)
+    B.orient_body_fixed(N, (a, b, c), "ZXY")
+    turning = w1 * N.x + w2 * N.y + w3 * N.z
+    kinematics = [(B.ang_vel_in(N) - turning).dot(axis) for axis in N]
+    kinematics += [x.diff() - vx, y.diff() - vy, z.diff() - vz]
+    B.set_ang_vel(N, turning)
+    inertia = sm.Rational(2, 5) * m * r**2
+    body = me.RigidBody("ball", C, B, m, (me.inertia(B, inertia, inertia, inertia), C))
+    system = System(
+        Definition(
+            N, [x, y, z, a, b, c], [vx, vy, vz, w1, w2, w3], bodies=[body],
+            loads=[(C, -m * g * N.z)], kinematic_equations=kinematics,
+        ),
+        {g: 9.81, m: 1.3, r: 0.05}, ode_solver="dop853", times=[0.0, 1.0],
+        initial_conditions=dict(zip([x, y, vx, vy, w1, w2, z, b], [*BALL, 0.05, 0.3], strict=True)),
+    )  # fmt: skip
+    roll = Roll(body, r, on=O, normal=T.z, along=(N.x, N.y), mu=mu, name="table")
+    return Contacts(system, [roll], {mu: 0.18, rate: 3.6}), {mu: 0, rate: 1, x: 2, y: 3, vx: 4}
+
+
+BALL = [0.3, -0.1, 0.9, 0.4, 12.0, -6.0]
+
+
+def place_on_a_turntable(change):
+    """Return x of this ball after a second, by SciPy from textbook equations."""
+    friction, rate, *start = np.add([0.18, 3.6, *BALL], np.append(change, np.zeros(3)))
+
+    def slip(s):
+        return np.array([s[2] - 0.05 * s[5] + rate * s[1], s[3] + 0.05 * s[4] - rate * s[0]])
+
+    def rates(force, s):  # of a unit of mass, with the inertia 2 r²/5
+        return [s[2], s[3], *force, 50.0 * force[1], -50.0 * force[0]]
+
+    def sliding(t, s):
+        return rates(-friction * 9.81 * slip(s) / np.linalg.norm(slip(s)), s)
+
+    def rolling(t, s):
+        return rates(np.array([-s[3], s[2]]) * rate * 2.0 / 7.0, s)
+
+    def stops(t, s):
+        return np.linalg.norm(slip(s)) - 1e-9
+
+    stops.terminal = True
+    tight = {"rtol": 1e-12, "atol": 1e-13, "method": "DOP853"}
+    slides = solve_ivp(sliding, (0.0, 1.0), start, events=stops, **tight)
+    assert slides.status == 1
+    return solve_ivp(rolling, (slides.t[-1], 1.0), slides.y[:, -1], **tight).y[0, -1]
+
+
+def test_a_ball_slips_on_a_turntable_until_it_rolls():
+    contacts, positions = ball_on_a_turntable()
+    found = contacts.system.adjoint_gradient(
+        list(positions), final="x", contacts=contacts, rtol=1e-10, atol=1e-11
+    )
+    steps = 1e-4 * np.eye(5)
+    slopes = [(place_on_a_turntable(s) - place_on_a_turntable(-s)) / 2e-4 for s in steps]
+    assert found.value == pytest.approx(place_on_a_turntable(np.zeros(5)), abs=1e-8)
+    assert found.values == pytest.approx(slopes, abs=1e-6)
 
 
 def moved(contacts, symbol, change, **terms):

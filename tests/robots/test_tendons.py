@@ -150,6 +150,18 @@ def test_a_range_of_a_tendon_ends_a_simulation(tmp_path):
     assert length == pytest.approx(0.5, abs=1e-12)
 
 
+def test_a_tendon_outside_of_its_range_in_the_files_pose_is_listed(tmp_path):
+    path = written(tmp_path, three='range="0.5 1"')
+    model, _ = moving(path)
+    data = mujoco.MjData(model)  # in the file's pose
+    mujoco.mj_forward(model, data)
+    length = data.ten_length[list(COEFFICIENTS).index("three")]
+    assert read(path).left_out[-1] == (
+        "the limits of the tendon 'three', 0.5 to 1, until it is between them: in the file's pose "
+        f"its length is {length:g}"
+    )
+
+
 def test_dry_friction_of_a_tendon(tmp_path):
     path = written(tmp_path, three='frictionloss="0.3"')
     assert "the dry friction of the tendon 'three'" in read(path).left_out[1]

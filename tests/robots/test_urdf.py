@@ -447,6 +447,26 @@ def test_what_cannot_be_taken_over_is_listed(tmp_path):
     )
 
 
+def test_a_pose_outside_of_a_range_is_listed(tmp_path):
+    # The second follows the first, which is at 0: −2·0 + 1.
+    limits = '<limit lower="-3.1" upper="-0.1"/>'
+    follower = '<mimic joint="j" multiplier="-2" offset="1"/><limit lower="0" upper="0.5"/>'
+    robot = read_text(
+        tmp_path,
+        robot_of(
+            link(), joint(more=limits), link(name="b"), joint(down="b", name="k", more=follower)
+        ),
+    )
+    assert robot.left_out == (
+        "the limits of the joint 'j', -3.1 to -0.1, until it is between them: in the file's pose "
+        "its position is 0",
+        "the limits of the joint 'k', 0 to 0.5, until it is between them: in the file's pose its "
+        "position is 1",
+    )
+    at_its_end = '<limit lower="0" upper="1"/>'
+    assert not read_text(tmp_path, robot_of(link(), joint(more=at_its_end))).left_out
+
+
 def test_what_is_odd_is_listed_with_its_line(tmp_path):
     """Files that are in use hold such inertias."""
     odd = link(looks="<mesh filename='gone.stl'/>").replace('izz="1"', 'izz="1" ixy="5"')

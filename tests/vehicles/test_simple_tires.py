@@ -211,3 +211,47 @@ def test_parameters_are_checked_and_replaced():
     with pytest.raises(ValueError, match="'mu' is no parameter of the tire"):
         BRUSH.replace(mu=1.0)
     assert TMEASY.replace(**{"peak_x[1]": 7000.0}).peak_x == (3300.0, 7000.0)
+
+
+def parabola(pair, n):
+    """Return a force at n times the nominal load: the parabola through zero and both values."""
+    one, two = pair
+    return np.polyval(np.polyfit([0.0, 1.0, 2.0], [0.0, one, two], 2), n)
+
+
+def test_tmeasy_keeps_the_forces_of_the_load_where_its_first_parabola_has_the_vertex():
+    # The rise along y is 90e3 n − 20e3 n², whose vertex is at 2.25; other vertices are at larger n.
+    loads = 3200 * np.array([2.2, 2.25, 2.3, 4.0, 10.0, 30.0])
+    sliding = -TMEASY.forces(loads, 0.0, 1.5).Fy
+    rising = -TMEASY.forces(loads, 0.0, 1e-7).Fy / 1e-7
+    reached = np.minimum(loads / 3200, 2.25)
+    np.testing.assert_allclose(sliding, parabola((3100, 5300), reached), rtol=1e-12)
+    np.testing.assert_allclose(rising, parabola((70e3, 100e3), reached), rtol=1e-4)
+    Fz = sm.Symbol("Fz")
+    expression = TMEASY.forces(Fz, 0.0, 1.5).Fy
+    assert float(expression.subs(Fz, 96e3)) == pytest.approx(-sliding[-1], rel=1e-12)
+
+
+@pytest.mark.parametrize("slips", [(0.2, 0.1), (0.16, 0.04)])
+def test_tmeasy_resists_at_any_load_with_slips_that_shrink(slips):
+    tire = TMEASY.replace(peak_slip_y=slips)
+    loads = np.geomspace(1.0, 1e6, 200)[:, None]
+    angles = np.array([0.01, 0.05, 0.2, 1.0])
+    assert (tire.forces(loads, 0.0, angles).Fy < 0.0).all()
+    assert (tire.forces(loads, angles, 0.0).Fx > 0.0).all()
+
+
+@pytest.mark.parametrize(
+    ("name", "pair", "message"),
+    [
+        ("peak_slip_y", (0.1, 0.25), r"`peak_slip_y\[1\]` must be less than 2 times"),
+        ("sliding_x", (1000.0, 4000.0), r"`sliding_x\[1\]` must be less than 4 times"),
+        ("sliding_slip_y", (0.4, 0.7), "`sliding_slip_y` must be larger than `peak_slip_y` at sm"),
+    ],
+)
+def test_tmeasy_refuses_pairs_that_are_negative_at_small_loads(name, pair, message):
+    changes = {name: pair} | ({"peak_slip_y": (0.3, 0.45)} if name == "sliding_slip_y" else {})
+    with pytest.raises(ValueError, match=message):
+        TMEASY.replace(**changes)
+    symbolic = TMEASY.replace(**changes | {name: (sm.Symbol("first"), pair[1])})
+    assert symbolic.parameters[f"{name}[0]"] == sm.Symbol("first")

@@ -23,12 +23,14 @@ from pydy._integration import (
 from pydy._judges import judge_start
 from pydy._motion import Motion, Segment, prepare
 from pydy._problem import Problem, read_term
+from pydy._rank import HALF, ROUNDING
 from pydy.analysis import AdjointGradient, AdjointSegment
 from pydy.contact.complementarity import STARTING
 from pydy.contact.modes import Mode
 from pydy.contact.rows import ContactRows, RowValues
 from pydy.contact.run import ContactRun
 from pydy.contact.sensitivities import HybridSensitivities, Transitions
+from pydy.contact.tuning import ROUNDING_MARGIN
 from pydy.trajectory import EventRecord
 
 if TYPE_CHECKING:
@@ -63,6 +65,19 @@ class RecordedTransitions(Transitions):
         super().__init__(rows, problem, [*[None] * n, *constants_by_column], self._unit)
         self.counts = {p.symbol: p.count for p in self._parameters}
         self.adjoint_segments: list[tuple[AdjointSegment, np.ndarray, np.ndarray]] = []
+
+    def rest_speed(self, i: int, speed: np.ndarray, tolerance: float, rounding: float) -> float:
+        """Return the sliding speed at which a slide in a plane ends, 0 for where it vanishes.
+
+        Rounding ε V of speeds of the size V turns the direction of the sliding velocity v by
+        ε V/|v|, and derivatives by states, of the size V too, with it: in a step of |v|/(16 a), for
+        the acceleration a of friction, by ε V²/(16 |v|). Where that exceeds the solver's tolerance,
+        steps become ever smaller. What a slide leaves for the projection onto the rows of sticking
+        costs derivatives |v|/V. At |v| = √ε V/16 both are √ε, with as many digits as half.
+        """
+        size = rounding / (ROUNDING_MARGIN * 16.0 * ROUNDING)
+        tolerance = max(tolerance, HALF * size / 16.0)
+        return super().rest_speed(i, speed, tolerance, rounding)
 
     def simulate(
         self,

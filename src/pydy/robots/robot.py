@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from os import PathLike
 from typing import TYPE_CHECKING, Any
+
+from sympy.core.function import AppliedUndef
 
 from pydy._checks import check_mapping, choice, flag, positive
 from pydy._errors import RobotFileError
 from pydy._files import path_of
 from pydy._names import counted, few
+from pydy._rank import ROUNDED
 from pydy.mechanics import Definition
 from pydy.robots.assemble import JointSymbols, Place, RobotAssembly, TendonSymbols
 from pydy.robots.mjcf import read_mjcf
@@ -19,7 +22,7 @@ from pydy.solvers import Event
 from pydy.system import System
 
 if TYPE_CHECKING:
-    from sympy import Symbol
+    from sympy import Expr, Symbol
 
     from pydy._sympy_types import AnySymbol, Body, SymbolOrName, TimeFunction
     from pydy.viz import Scene
@@ -64,7 +67,7 @@ class Robot:
         self.tendons: dict[str, TendonSymbols] = assembly.tendons
         self.actuators: dict[str, TimeFunction] = assembly.actuators
         self.input_ranges: dict[str, tuple[float, float]] = assembly.input_ranges
-        self.left_out = tuple(dict.fromkeys(tree.left_out))
+        self.left_out = tuple(dict.fromkeys([*tree.left_out, *self._out_of_range()]))
         self._visuals = [tree.visuals, *(link.visuals for link in tree.links)]
 
     def __repr__(self) -> str:
@@ -112,18 +115,45 @@ class Robot:
 
     @property
     def limits(self) -> list[Event]:
-        """Events that end a simulation where a joint or tendon reaches the end of its range."""
+        """Events that end a simulation where a joint or tendon reaches the end of its range.
+
+        It must begin within the range: outside of it, a motion that goes further out reaches no
+        end. Where the file's pose is outside, `left_out` says so.
+        """
         events = []
-        ranges = [(name, j.coordinates[0], j.limits) for name, j in self.joints.items()]
-        ranges += [(f"tendon {name}", t.length, t.limits) for name, t in self.tendons.items()]
-        for name, length, limits in ranges:
-            if limits is not None:
-                for value, direction, end in zip(limits, (-1, 1), ("lower", "upper"), strict=True):
-                    label = f"{name} at its {end} limit"
-                    events.append(
-                        Event(length - value, direction=direction, terminal=True, name=label)
-                    )
+        for kind, name, length, limits in self._ranges():
+            prefix = "tendon " * (kind == "tendon")
+            for value, direction, end in zip(limits, (-1, 1), ("lower", "upper"), strict=True):
+                label = f"{prefix}{name} at its {end} limit"
+                events.append(Event(length - value, direction=direction, terminal=True, name=label))
         return events
+
+    def _ranges(self) -> Iterator[tuple[str, str, Expr, tuple[float, float]]]:
+        """Yield the joints and tendons with limits: kind, name, coordinate or length, limits."""
+        for name, joint in self.joints.items():
+            if joint.limits is not None:
+                yield "joint", name, joint.coordinates[0], joint.limits
+        for name, tendon in self.tendons.items():
+            if tendon.limits is not None:
+                yield "tendon", name, tendon.length, tendon.limits
+
+    def _out_of_range(self) -> list[str]:
+        """Return a line for each joint or tendon that the file's pose has outside of its range."""
+        lines = []
+        for kind, name, length, (low, high) in self._ranges():
+            place, rounding = self._in_pose(length), ROUNDED * (high - low)
+            if not low - rounding <= place <= high + rounding:
+                what = "position" if kind == "joint" else "length"
+                lines.append(
+                    f"the limits of the {kind} '{name}', {low:g} to {high:g}, until it is between "
+                    f"them: in the file's pose its {what} is {place:g}"
+                )
+        return lines
+
+    def _in_pose(self, length: Expr) -> float:
+        """Return a coordinate, or a length that depends on some, in the file's pose."""
+        pose = {q: self.start.get(q, 0.0) for q in length.atoms(AppliedUndef)}
+        return float(length.subs({**self.values, **pose}))
 
     def scene(self, **options: Any) -> Scene:
         """Return a scene of the robot's shapes, to be animated with a trajectory.

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
+from math import inf
 from typing import Self
 
 from pydy.vehicles.algebra import Algebra, Operand, is_symbolic
@@ -35,6 +36,11 @@ class TMeasy(TireEquations):
     slip is the size of the slip vector, each component normalised by its own characteristic.
     Axes and signs are those of `MagicFormula`; slips are κ and tan α. Camber, speed and pressure
     have no effect.
+
+    A parabola that falls behind its vertex would become negative, and the tire drive the car that
+    it should brake. So forces remain those of a largest load: where the first parabola has its
+    vertex, or at half the load at which a slip that shrinks would vanish, or a peak reach full
+    sliding; at least twice the nominal load. Pairs with expressions set no such load.
 
     Parameters
     ----------
@@ -114,6 +120,50 @@ class TMeasy(TireEquations):
                     raise ValueError(
                         f"`{more}` must be larger than `{less}`, got {high!r} and {low!r}."
                     )
+        self._check_small_loads()
+
+    def _check_small_loads(self) -> None:
+        """Refuse pairs with a parabola or a line that is not positive at small loads."""
+        for name, at_one, at_two in self._lines():
+            if 2 * at_one - at_two > 0.0:
+                continue
+            if " − " in name:
+                more, less = name.split(" − ")
+                raise ValueError(
+                    f"`{more}` must be larger than `{less}` at small loads, too, got "
+                    f"{getattr(self, more)!r} and {getattr(self, less)!r}: the lines through these "
+                    "meet below the nominal load. Let them differ less between both loads."
+                )
+            curve, factor = ("parabola", 4) if name in _FORCES else ("line", 2)
+            one, two = getattr(self, name)
+            raise ValueError(
+                f"`{name}[1]` must be less than {factor} times `{name}[0]`, got {two!r} and "
+                f"{one!r}: the {curve} through these is negative at small loads, where forces "
+                "would have the wrong sign."
+            )
+
+    def _lines(self) -> Iterator[tuple[str, float, float]]:
+        """Yield what must be positive and is linear in the load, at one and two nominal loads.
+
+        Of forces, which are parabolas, it is the ratio to the load.
+        """
+        for name in (*_FORCES, *_SLIPS, "zero_slip", "end_slip"):
+            one, two = getattr(self, name)
+            if not (is_symbolic(one) or is_symbolic(two)):
+                yield name, one, two / 2 if name in _FORCES else two
+        for less, more in _ORDER:
+            low, high = getattr(self, less), getattr(self, more)
+            if not any(map(is_symbolic, (*low, *high))):
+                yield f"{more} − {less}", high[0] - low[0], high[1] - low[1]
+
+    def _largest_load(self) -> float:
+        """Return the load beyond which forces stay the same, relative to the nominal one.
+
+        A line that vanishes at some load belongs to a parabola with its vertex at half of it. Each
+        line is positive at twice the nominal load, so that it still is at the load returned.
+        """
+        vertices = [(2 * one - two) / (one - two) / 2 for _, one, two in self._lines() if two < one]
+        return max(2.0, min(vertices, default=inf))
 
     @property
     def parameters(self) -> Mapping[str, Operand]:
@@ -147,8 +197,11 @@ class TMeasy(TireEquations):
         return replace(self, **whole)
 
     def _equations(self, m: Algebra, state: TireInputs) -> tuple[Operand, ...]:
-        load = m.maximum(state.Fz / m.constant(self.nominal_load), SMALLEST_LOAD)
+        nominal, largest = m.constant(self.nominal_load), self._largest_load()
         Fz = m.maximum(state.Fz, 0)
+        if largest < inf:
+            Fz = m.minimum(Fz, largest * nominal)
+        load = m.maximum(Fz / nominal, SMALLEST_LOAD)
         value = {}
         for name in (*_FORCES, *_SLIPS, *_TRAIL):
             one, two = map(m.constant, getattr(self, name))
@@ -158,7 +211,7 @@ class TMeasy(TireEquations):
                 value[name] = one + (two - one) * (load - 1)
         tangent = m.tan(state.alpha)
         rise, weight_x, weight_y = _combined(m, value, state.kappa, tangent)
-        per_load = Fz / m.constant(self.nominal_load)
+        per_load = Fz / nominal
         Fx = per_load * rise * state.kappa / weight_x
         Fy = -per_load * rise * tangent / weight_y
         trail = value["trail"] * _relative_trail(m, m.abs(tangent), value)
