@@ -21,6 +21,7 @@ from pydy._mechanics.frame_tree import FrameTree, given_velocity, velocities_in
 from pydy._mechanics.kinematic_constraints import DependentStates
 from pydy._mechanics.kinematic_equations import KinematicEquations
 from pydy._mechanics.multibody import Multibody
+from pydy._mechanics.reader import curve_coefficients
 from pydy._mechanics.symbols import find_symbols
 from pydy._names import name_of
 
@@ -62,6 +63,11 @@ class Mechanism:
         points = dict.fromkeys(item for item, _ in self.loads if isinstance(item, Point))
         centres = {p: v for p, v in self.body_velocities.items() if p in points}
         return centres | self._velocities([p for p in points if p not in centres])
+
+    @cached_property
+    def curve_coefficients(self) -> tuple[sm.Symbol, ...]:
+        """The symbols for coefficients of muscles' curves among the loads, in order."""
+        return curve_coefficients(self.loads)
 
     def _velocities(self, points: Sequence[Point]) -> dict[Point, Vector]:
         with warnings.catch_warnings():

@@ -7,11 +7,10 @@ from dataclasses import dataclass, field, replace
 from operator import attrgetter
 from typing import TYPE_CHECKING, Any
 
-from pydy._forks import cached_property
 from pydy._mechanics.frame_tree import FrameTree
 from pydy._mechanics.kinematic_constraints import DependentStates, KinematicConstraints
 from pydy._mechanics.kinematic_equations import KinematicEquations
-from pydy._mechanics.reader import curve_coefficients, is_rigid
+from pydy._mechanics.reader import is_rigid
 
 if TYPE_CHECKING:
     import sympy as sm
@@ -52,11 +51,6 @@ class Multibody:
             if self.origin is None and self.frame is not None:
                 centres = map(attrgetter("masscenter"), self.bodies)
                 object.__setattr__(self, "origin", FrameTree.point_at_rest(self.frame, centres))
-
-    @cached_property
-    def curve_coefficients(self) -> tuple[sm.Symbol, ...]:
-        """The symbols for coefficients of muscles' curves among the loads, in order."""
-        return curve_coefficients(self.loads)
 
     def check_unchanged(self) -> None:
         """Refuse bodies that changed since they were read: their equations would be outdated."""

@@ -2,22 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from typing import Any
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING, Any
 
 from pydy._assembly import Definition
 from pydy._errors import warn_user
 
+if TYPE_CHECKING:
+    import sympy as sm
 
-def warn_of_curves(definition: Definition, given: Iterable[Any], already_warned: set[Any]) -> None:
-    """Warn once of coefficients of characteristic curves that are constants but not `given`.
+
+def warn_of_curves(
+    definition: Definition,
+    coefficients: Sequence[sm.Symbol],
+    given: Iterable[Any],
+    already_warned: set[Any],
+) -> None:
+    """Warn once of `coefficients` of characteristic curves that are constants but not `given`.
 
     A musculotendon of SymPy that is made without `with_defaults` has symbols for them. Like other
     constants these are 1, but no curve of a muscle has such coefficients.
     """
-    body = definition.equations.multibody
-    coefficients = () if body is None else body.curve_coefficients
-    if not coefficients or already_warned.issuperset(coefficients):
+    if already_warned.issuperset(coefficients):
         return
     constants = definition.places["constants"]
     known = {constants.get(key, "constants") for key in given}

@@ -106,11 +106,12 @@ class Problem:
         """The constants in order."""
         settings, constants = self.settings, self.settings.constants
         numbers = read_numbers(self.definition, "constants", constants, settings.contradicted)
-        body = self.definition.equations.multibody
-        if body is not None and body.curve_coefficients:
+        mechanism = self.definition.equations.mechanism
+        if mechanism is not None and mechanism.curve_coefficients:
             from pydy._problem.curves import warn_of_curves
 
-            warn_of_curves(self.definition, constants, settings.already_warned)
+            coefficients = mechanism.curve_coefficients
+            warn_of_curves(self.definition, coefficients, constants, settings.already_warned)
         return numbers
 
     @property
