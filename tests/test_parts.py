@@ -1,5 +1,8 @@
 """The table of slow tests, and the parts that it is dealt out to."""
 
+import pkgutil
+import re
+
 import pytest
 
 import parts
@@ -43,6 +46,20 @@ def test_the_table_lists_files_that_exist():
     root = parts.TABLE.parents[1]
     missing = {name for name in parts.read_table() if not (root / name.partition("::")[0]).exists()}
     assert not missing, f"tests/slow.txt lists files that do not exist; run `make times`: {missing}"
+
+
+def test_slow_tests_replace_functions_that_exist():
+    """A test that is drawn once in 48 runs would tell of a renamed one months later."""
+    root = parts.TABLE.parent
+    for path in root.rglob("test_*.py"):
+        for name in re.findall(r"\.setattr\(\s*\"(pydy[\w.]+)\"", path.read_text("utf-8")):
+            assert hasattr(*holder_of(name)), f"{path.relative_to(root)} replaces {name}"
+
+
+def holder_of(name):
+    """Return the object that holds the last part of a dotted name, and that part."""
+    holder, _, attribute = name.rpartition(".")
+    return pkgutil.resolve_name(holder), attribute
 
 
 def test_a_table_is_read_as_it_was_written(table):

@@ -100,3 +100,14 @@ def test_of_two_jumps_the_one_that_is_reached_first_is_named(first):
     assert f"(at {rates} a second)" in told
     # At a thousand times the speed the stop is not at this time, to six digits of the span.
     assert stuck_at(problem.at(np.zeros(1), 1e3 * state), 1e-6) is None
+
+
+@pytest.mark.parametrize("solver", ["odeint", "dop853", "radau"])
+def test_an_input_that_draws_random_numbers_is_named(solver):
+    f = me.dynamicsymbols("f")
+    noise = np.random.default_rng(0)
+    system = block(f, specifieds={f: lambda x, t: -1e3 * x[0] + noise.normal()}, ode_solver=solver)
+    options = {} if solver == "odeint" else {"max_steps": 2_000}
+    with pytest.raises(IntegrationError, match=r"for `f\(t\)` has several values at one time") as e:
+        system.integrate(**options)
+    assert "Draw random numbers before" in str(e.value)

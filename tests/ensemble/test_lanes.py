@@ -458,7 +458,9 @@ def test_samples_that_are_sound_at_a_glance_need_no_judgement(monkeypatch):
         assert (many.status == 0).all() == all_sound
         assert bool(judged) != all_sound
         with monkeypatch.context() as patch:
-            patch.setattr("pydy.ensemble.work._unsure", lambda *given: np.full(len(given[2]), True))
+            patch.setattr(
+                "pydy.ensemble.work._needing_reports", lambda *given: np.full(len(given[2]), True)
+            )
             identical(many, system.integrate_ensemble(**values, **options))
         assert len(judged) >= 30
         judged.clear()

@@ -462,8 +462,20 @@ def explain_failure(
 
 
 def _stuck_at(problem: Problem, ready: PreparedIntegration, t: float, x: np.ndarray) -> str | None:
-    """Describe the jump at which a motion stays, or return None; see `stuck_at`."""
-    at = replace(problem.at(np.array([t]), np.array([x])), model=ready.code)
+    """Describe what keeps a motion from going on, or return None.
+
+    It is an input that differs from call to call, or a jump at which the motion stays (`stuck_at`).
+    """
+    states = np.array([t]), np.array([x])
+    at = replace(problem.at(*states), model=ready.code)
+    again = problem.at(*states).r[0]
+    for symbol, first, second in zip(at.definition.specifieds, at.r[0], again, strict=False):
+        if first != second and not (np.isnan(first) and np.isnan(second)):
+            return (
+                f"The function for `{symbol}` has several values at one time and state, such as "
+                f"{first:.6g} and {second:.6g}, so that errors do not shrink with the steps. Draw "
+                f"random numbers before: `SampledInput(times, values)`."
+            )
     return stuck_at(at, ready.span)
 
 
