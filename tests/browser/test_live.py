@@ -326,7 +326,9 @@ def test_a_reader_keeps_the_view_when_the_panel_is_closed_and_opened(wide_box, o
     seen = []
 
     def at_rest():
-        page.wait_for_timeout(200)
+        page.evaluate(
+            "new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))"
+        )
         seen.append(page.evaluate("pydy.camera()"))
         return seen[-1] in seen[-2:-1]
 

@@ -158,7 +158,9 @@ def test_dark_colours_are_seen_on_the_dark_page_and_others_stay(open_page, tmp_p
     points = [O.locatenew(f"P{k}", (x + k) * N.x) for k, _ in enumerate(colours)]
     balls = [Visual(Sphere(0.1, colour=c), p) for c, p in zip(colours, points, strict=True)]
     scene = Scene(N, O, *balls).animate([0.0, 1.0], [[0.0], [1.0]], symbols=[x])
-    dark = open_page(scene.to_html(tmp_path / "dark.html", theme="dark")).evaluate("pydy.colours()")
+    dark_page = open_page(scene.to_html(tmp_path / "dark.html", theme="dark"))
+    dark = dark_page.evaluate("pydy.colours()")
+    dark_page.close()  # its animation would hold up the other
     page = open_page(scene.to_html(tmp_path / "light.html", theme="light"))
     light = page.evaluate("pydy.colours()")
     assert light == colours
