@@ -8,7 +8,7 @@ import numpy as np
 
 from pydy._graph import Branches, Graph, inputs_of, jacobian, linear_terms, rounding_bounds
 from pydy._mechanics.tuning import ACROSS
-from pydy._rank import ROUNDED
+from pydy._rank import DIGITS, ROUNDED
 
 _STATES = 3
 _ATTEMPTS = 4  # links of random lengths close a loop in every second state or so
@@ -131,6 +131,15 @@ def consistent_numbers(
         if len(consistent) >= _STATES:
             break
     return consistent
+
+
+def nonzero_somewhere(graph: Graph, nodes: Sequence[int], zero_rows: Sequence[int]) -> np.ndarray:
+    """Return which nodes differ from zero at some consistent state, by more than typed decimals."""
+    bounds_of = rounding_bounds(graph, nodes, constants=True)
+    values = consistent_numbers(graph, [*nodes, *bounds_of], zero_rows)
+    sizes, bounds = np.split(np.abs(values), 2, axis=1)
+    differ: np.ndarray = ((sizes > DIGITS * bounds) & np.isfinite(bounds)).any(axis=0)
+    return differ
 
 
 def finite_rows(values: np.ndarray) -> np.ndarray:

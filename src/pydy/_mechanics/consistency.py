@@ -137,7 +137,6 @@ def warn_of_kinematics(equations: Equations) -> None:
     body, mechanism = equations.multibody, equations.mechanism
     if body is None or mechanism is None or not mechanism.bodies:
         return
-    rows = body.constraints
     try:
         k = Kinematics(replace(body, bodies=mechanism.bodies), in_bodies=False)
         turns = [orthogonality_residuals([matrix], k.read) for matrix in k.tree.rotation_matrices()]
@@ -145,7 +144,7 @@ def warn_of_kinematics(equations: Equations) -> None:
         by_cosines = any(len(rows) > 3 for rows in turns)
         frames = {} if by_cosines else dict(_frames(k))
         every = [] if by_cosines else [*frames.values(), *_points(k)]
-        constraints = k.read.all((*rows.holonomic, *rows.velocity))
+        constraints = k.read.all((*body.constraints.holonomic, *body.constraints.velocity))
     except (NotImplementedError, TypeError, ValueError):
         if equations.formed is not None:
             raise

@@ -12,17 +12,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from pydy._checks import describe
 from pydy._errors import warn_user
-from pydy._graph import jacobian, rounding_bounds
-from pydy._mechanics.components import consistent_numbers, dot, finite_rows
+from pydy._graph import jacobian
+from pydy._mechanics.components import dot, nonzero_somewhere
 from pydy._mechanics.formulations import moving
 from pydy._mechanics.frames import orthogonality_residuals
 from pydy._mechanics.kinematics import Kinematics, Vec
 from pydy._mechanics.multibody import Multibody
-from pydy._rank import DIGITS
 
 if TYPE_CHECKING:
     from sympy.physics.mechanics import Point, ReferenceFrame, RigidBody
@@ -55,13 +52,9 @@ def warn_of_set_accelerations(
         return  # functions that cannot be read here, as those of a method's own equations
     zero_rows = orthogonality_residuals(k.tree.rotation_matrices(), k.read)
     zero_rows += k.read.all((*body.constraints.holonomic, *body.constraints.velocity))
-    wrong = []
-    for where, nodes in forces.items():
-        bounds = rounding_bounds(k.graph, nodes, constants=True)
-        values = finite_rows(consistent_numbers(k.graph, [*nodes, *bounds], zero_rows))
-        sizes, magnitudes = np.split(np.abs(values), 2, axis=1)
-        if (sizes > DIGITS * magnitudes).any():
-            wrong.append(where)
+    nodes = [n for of_one in forces.values() for n in of_one]
+    differ = nonzero_somewhere(k.graph, nodes, zero_rows).reshape(-1, len(k.speeds))
+    wrong = [where for where, along in zip(forces, differ, strict=True) if along.any()]
     if wrong:
         warn_user(
             f"The accelerations that were set for {describe(wrong)} are not the derivatives of the "

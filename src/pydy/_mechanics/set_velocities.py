@@ -23,8 +23,14 @@ import sympy as sm
 
 from pydy._checks import describe
 from pydy._errors import warn_user
-from pydy._graph import inputs_of, rounding_bounds
-from pydy._mechanics.components import consistent_numbers, finite_rows, identity, numbers_of
+from pydy._graph import inputs_of
+from pydy._mechanics.components import (
+    consistent_numbers,
+    finite_rows,
+    identity,
+    nonzero_somewhere,
+    numbers_of,
+)
 from pydy._mechanics.formulations import moving
 from pydy._mechanics.frames import orthogonality_residuals
 from pydy._mechanics.kinematics import Kinematics, Vec
@@ -135,6 +141,7 @@ def _along_turning_axes(k: Kinematics, zero_rows: list[int]) -> bool:
     vectors = [k.tree.velocity(item.masscenter) for item in k.body.bodies]
     vectors += [item.frame.ang_vel_in(k.inertial) for item in k.body.bodies if is_rigid(item)]
     errors: dict[ReferenceFrame, list[Vec]] = {}
+    totals: Vec = []
     for vector in vectors:
         total = [g.zero] * 3
         for components, frame in () if vector is None else vector.args:
@@ -147,12 +154,8 @@ def _along_turning_axes(k: Kinematics, zero_rows: list[int]) -> bool:
                 ]
             for c, error in zip(k.read.all(components), errors[frame], strict=True):
                 total = k.plus(total, [g.mul(c, x) for x in error])
-        bounds = rounding_bounds(g, total, constants=True)
-        values = finite_rows(consistent_numbers(g, [*total, *bounds], zero_rows))
-        sizes, magnitudes = np.split(np.abs(values), 2, axis=1)
-        if (sizes > DIGITS * magnitudes).any():
-            return True
-    return False
+        totals += total
+    return bool(nonzero_somewhere(g, totals, zero_rows).any())
 
 
 def _is_explained(
